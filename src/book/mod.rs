@@ -1,0 +1,97 @@
+//! Markdown chapters to claims, definitions unfolded.
+//!
+//! A book is a folder of Markdown files. The CommonMark library finds the fenced blocks; the language
+//! inside a `claim` or `define` fence is ours. [`read`] gives every claim with the place it stands at;
+//! [`Claim::printed`] and [`Claim::mended`] unfold it to the proposition that is judged.
+
+use crate::formula::{Condition, Draw, Formula, Name, Parameter, Regime, Statement};
+use std::path::PathBuf;
+
+/// All claims of some chapters, in the order of files and lines.
+#[derive(Debug, Default)]
+pub struct Book {
+    pub claims: Vec<Claim>,
+}
+
+/// One `claim` block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    pub id: Name,
+    pub file: PathBuf,
+    /// The line of the fence, from 1.
+    pub line: usize,
+    pub scope: Scope,
+    /// The statement as printed.
+    pub says: Statement,
+    /// The text of `says` as written, on one line.
+    pub says_text: String,
+    /// The right statement, where the print is wrong.
+    pub mend: Option<Statement>,
+    pub mend_text: Option<String>,
+    pub needs: Option<Needs>,
+    /// The claim whose right side this line goes on from.
+    pub after: Option<Name>,
+    /// `read REGIME`: the regime that takes the place of the statement's own.
+    pub read: Option<Regime>,
+    pub slip: Option<String>,
+    pub why: Option<String>,
+    pub expect: Option<Expectation>,
+    /// The text of the `expect` line as written.
+    pub expect_text: Option<String>,
+}
+
+/// The symbols of a claim, in the order in which they are declared; a name is declared before it is used.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Scope {
+    pub parameters: Vec<Parameter>,
+    pub domain: Vec<Condition>,
+    pub definitions: Vec<Definition>,
+    pub draws: Vec<Draw>,
+}
+
+/// `let NAME = EXPR` or `let F(r) = EXPR`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    pub name: Name,
+    pub arguments: Vec<Name>,
+    pub body: Formula,
+}
+
+/// What the print leaves out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Needs {
+    pub condition: Condition,
+    pub text: String,
+    /// `sufficient`: points that the condition shuts out may satisfy the statement.
+    pub sufficient: bool,
+}
+
+/// `expect printed refuted domain, mended proved`
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expectation {
+    pub printed: Option<ExpectedVerdict>,
+    pub mended: Option<ExpectedVerdict>,
+}
+
+/// A verdict as `expect` names it, the least that will do: `proved` meets `certified`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExpectedVerdict {
+    Proved,
+    Certified,
+    /// `refuted`, `refuted statement`, `refuted domain`
+    Refuted(Option<Fault>),
+    Undecided,
+    Vacuous,
+    IllTyped,
+    Defined,
+    Noted,
+}
+
+/// Where a refuted statement is at fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The same statement holds under `needs`: a condition is missing.
+    Domain,
+    /// The statement itself is wrong.
+    Statement,
+}

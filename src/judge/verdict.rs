@@ -1,0 +1,142 @@
+//! What the judge answers, as plain data: the JSON of the command line is this, field by field.
+
+use crate::book::Fault;
+use serde::Serialize;
+
+/// A verdict, best first. `undecided` and `noted` never count as a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    Proved,
+    Certified,
+    Refuted,
+    Undecided,
+    Vacuous,
+    IllTyped,
+    Defined,
+    Noted,
+}
+
+impl Verdict {
+    /// Every verdict, best first.
+    pub const ALL: [Verdict; 8] = [
+        Verdict::Proved,
+        Verdict::Certified,
+        Verdict::Refuted,
+        Verdict::Undecided,
+        Verdict::Vacuous,
+        Verdict::IllTyped,
+        Verdict::Defined,
+        Verdict::Noted,
+    ];
+
+    /// The word of the claim language and of all output.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Proved => "proved",
+            Verdict::Certified => "certified",
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+            Verdict::Vacuous => "vacuous",
+            Verdict::IllTyped => "illtyped",
+            Verdict::Defined => "defined",
+            Verdict::Noted => "noted",
+        }
+    }
+}
+
+/// What kind of statement a claim makes: that of its worst link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    Identity,
+    Expansion,
+    Inequality,
+    Definition,
+    Words,
+}
+
+/// The answer to one claim.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    pub id: String,
+    pub file: String,
+    pub line: usize,
+    pub kind: Kind,
+    pub printed: Answer,
+    pub mended: Option<Answer>,
+    pub needs: Option<String>,
+    /// What is wrong with `needs`, if anything ("stronger than necessary").
+    pub needs_fault: Option<String>,
+    pub sufficient: bool,
+    pub slip: Option<String>,
+    pub why: Option<String>,
+    pub expected: String,
+    pub as_expected: bool,
+    pub steps: u64,
+    pub seconds: f64,
+}
+
+/// The verdict on one statement, with its evidence.
+#[derive(Clone, Debug, Serialize)]
+pub struct Answer {
+    pub verdict: Verdict,
+    #[serde(serialize_with = "fault_word")]
+    pub fault: Option<Fault>,
+    /// The statement as written.
+    pub written: String,
+    /// The statement as the kernel sees it: definitions unfolded.
+    pub statement: String,
+    pub extent: Option<Extent>,
+    /// Why it is undecided, vacuous or ill-typed.
+    pub reason: Option<String>,
+    pub witness: Option<WitnessReport>,
+    pub links: Vec<LinkReport>,
+    /// Terms of an expansion beyond the print, as text.
+    pub series: Option<String>,
+    pub constants: Option<Constants>,
+    pub facts: Vec<String>,
+    pub certificate: Option<String>,
+}
+
+/// How far a certified or refuted verdict was tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Extent {
+    pub points: usize,
+    pub set_aside: usize,
+    pub digits: u32,
+}
+
+/// A witness for the reader: numbers as text, `null` where there is no value.
+#[derive(Clone, Debug, Serialize)]
+pub struct WitnessReport {
+    pub point: std::collections::BTreeMap<String, String>,
+    pub values: [Option<String>; 2],
+    pub because: &'static str,
+}
+
+/// The verdict on the link to the claim that this one goes on from.
+#[derive(Clone, Debug, Serialize)]
+pub struct LinkReport {
+    pub with: String,
+    pub verdict: Verdict,
+}
+
+/// Explicit constants of a proved expansion.
+#[derive(Clone, Debug, Serialize)]
+pub struct Constants {
+    #[serde(rename = "C")]
+    pub factor: String,
+    pub k0: String,
+}
+
+fn fault_word<S: serde::Serializer>(
+    fault: &Option<Fault>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    match fault {
+        None => serializer.serialize_none(),
+        Some(Fault::Domain) => serializer.serialize_str("domain"),
+        Some(Fault::Statement) => serializer.serialize_str("statement"),
+    }
+}
