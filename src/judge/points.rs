@@ -5,8 +5,8 @@
 
 use crate::evaluate::{self, Context, Outcome};
 use crate::formula::{
-    Budget, Condition, Draw, Formula, FunctionKind, Name, Parameter, ParameterKind, Point, Proposition,
-    Rational, Relation, free_names,
+    Budget, Condition, Draw, Formula, FunctionKind, Name, Parameter, ParameterKind, Part, Point,
+    Proposition, Rational, Relation,
 };
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -14,7 +14,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use rand::RngExt;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// How far random values reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +81,7 @@ impl<'a> Domain<'a> {
         }
         let mut closed = Vec::new();
         for relating in proposition.domain.iter().flat_map(split) {
-            let names = condition_names(relating.condition());
+            let names = Part::Condition(relating.condition()).free_names();
             match steps.iter().rposition(|step| names.contains(step.name)) {
                 Some(last) => steps[last].ready.push(relating),
                 None => closed.push(relating),
@@ -374,22 +374,6 @@ fn mirrored(relation: Relation) -> Relation {
     }
 }
 
-fn condition_names(condition: &Condition) -> BTreeSet<Name> {
-    match condition {
-        Condition::Chain(first, links) => {
-            let mut names = free_names(first);
-            for (_, formula) in links {
-                names.extend(free_names(formula));
-            }
-            names
-        }
-        Condition::And(parts) | Condition::Or(parts) => {
-            parts.iter().flat_map(condition_names).collect()
-        }
-        Condition::Not(inner) => condition_names(inner),
-    }
-}
-
 /// The size of a point: numerators and denominators in total.
 pub fn size(point: &Point) -> BigInt {
     point.numbers.values().map(|value| value.numer().abs() + value.denom()).sum()
@@ -492,7 +476,7 @@ pub fn contradictory(proposition: &Proposition) -> bool {
             }
         }
     }
-    let mut lower: std::collections::BTreeMap<&Name, (Rational, bool)> = Default::default();
+    let mut lower: BTreeMap<&Name, (Rational, bool)> = Default::default();
     for _ in 0..=proposition.parameters.len() {
         for (small, large, strict) in &edges {
             let from = match small {
