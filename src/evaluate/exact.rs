@@ -4,7 +4,7 @@
 //! gives a rational function of it (`quantity`), which is then integrated term by term. What has no
 //! closed form here is [`Failure::Unsupported`].
 
-use super::closed::{order, rational};
+use super::closed::order;
 use super::integrate::{self, Bound};
 use super::law::{self, Weight};
 use super::outcome;
@@ -345,10 +345,6 @@ fn more_extreme(
     wanted: Ordering,
     scope: &Scope,
 ) -> Evaluation {
-    let (winner, loser) = match wanted {
-        Ordering::Greater => (PlusInfinity, MinusInfinity),
-        _ => (MinusInfinity, PlusInfinity),
-    };
     Ok(match (best, next) {
         (Undefined, _) | (_, Undefined) => Undefined,
         (Value(a), Value(b)) => {
@@ -357,14 +353,10 @@ fn more_extreme(
             };
             Value(if order(&x, &y)? == wanted { a } else { b })
         }
-        (PlusInfinity, other) | (other, PlusInfinity) => match winner {
-            PlusInfinity => PlusInfinity,
-            _ => other,
-        },
-        (MinusInfinity, other) | (other, MinusInfinity) => match loser {
-            PlusInfinity => MinusInfinity,
-            _ => other,
-        },
+        (PlusInfinity, other) | (other, PlusInfinity) if wanted == Ordering::Less => other,
+        (MinusInfinity, other) | (other, MinusInfinity) if wanted == Ordering::Greater => other,
+        (infinite @ (PlusInfinity | MinusInfinity), _) => infinite,
+        (_, infinite) => infinite,
     })
 }
 
@@ -544,7 +536,7 @@ fn between(body: &Formula, name: &Name, from: &Bound, to: &Bound, scope: &Scope)
         }
     }
     let budget = scope.budget();
-    add_pieces(&parts, symbol, None, scope, |function, piece| {
+    add_pieces(&parts, symbol, scope, |function, piece| {
         integrate::over(function, symbol, &piece.from, &piece.to, budget)
     })
 }
@@ -562,7 +554,6 @@ fn sampled_at(symbol: Symbol, piece: &Piece, draw: bool) -> Binding {
 fn add_pieces(
     parts: &[(Separable, Piece)],
     symbol: Symbol,
-    weight: Option<&Weight>,
     scope: &Scope,
     integral: impl Fn(&Separable, &Piece) -> Evaluation,
 ) -> Evaluation {
@@ -582,7 +573,6 @@ fn add_pieces(
     for (function, piece) in parts {
         let function = Quantity::Open(function.clone()).single_function(symbol);
         let function = function.ok_or_else(|| unsupported("a divergent piecewise integral"))?;
-        let _ = weight;
         if !function.is_zero() {
             signs.push(sign::on(&function, &piece.from, &piece.to, scope.budget())?);
         }
@@ -664,7 +654,7 @@ impl Body<'_> {
     /// The body on each piece of the support of the only draw; `None` when it is not piecewise.
     fn pieces(&self, weights: &[Weight], scope: &Scope) -> Result<Option<Vec<Piece>>, Failure> {
         let [draw] = self.draws else {
-            let piecewise = self.is_piecewise();
+            let piecewise = pieces::has_conditions(self.part);
             return if piecewise && !self.draws.is_empty() {
                 Err(unsupported("a piecewise function of several draws"))
             } else {
@@ -674,23 +664,6 @@ impl Body<'_> {
         let link = scope.bind(&draw.name, unsampled(self.symbols[0], true));
         let (from, to) = (weights[0].from(), weights[0].to());
         pieces::of(self.part, &link.scope(), self.symbols[0], &from, &to)
-    }
-
-    fn is_piecewise(&self) -> bool {
-        fn search(part: Part) -> bool {
-            let here = match part {
-                Part::Condition(_) => true,
-                Part::Formula(Formula::Call(f, _)) => {
-                    matches!(f, Function::Abs | Function::Min | Function::Max)
-                }
-                Part::Formula(f) => matches!(f, Formula::Density(..) | Formula::Cumulative(..)),
-                Part::Law(_) => false,
-            };
-            let mut found = here;
-            part.each(&mut |inner, _| found = found || search(inner));
-            found
-        }
-        search(self.part)
     }
 
     /// The mean of `f` of the body.
@@ -715,7 +688,7 @@ impl Body<'_> {
             }
         }
         let (weight, symbol, budget) = (&weights[0], self.symbols[0], scope.budget());
-        add_pieces(&parts, symbol, Some(weight), scope, |function, piece| {
+        add_pieces(&parts, symbol, scope, |function, piece| {
             integrate::map_terms(function, symbol, budget, |factor| {
                 weight.mean_between(factor, &piece.from, &piece.to, budget)
             })
@@ -780,9 +753,4 @@ fn at_draw(quantity: &Formula, x: &Formula, cumulative: bool, scope: &Scope) -> 
         return Err(unsupported("a place that is named like a draw"));
     }
     over_draws(Part::Condition(&below), &None, scope, mean_of)
-}
-
-/// The value of a closed number, for those that need one.
-pub(super) fn rational_number(value: i64) -> Exact {
-    rational(Rational::from(value))
 }

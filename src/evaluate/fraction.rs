@@ -183,7 +183,7 @@ impl Fraction {
     fn with_linear_numerator_split(self) -> Fraction {
         match &self.numerator[..] {
             [constant, slope] => {
-                let root = Rational::from(-constant / slope);
+                let root = -Rational::from(constant / slope);
                 let mut factors = self.factors;
                 let slope = slope.clone();
                 // Exponents grow by one only, which the checked sum allows or the cap refuses later.
@@ -535,7 +535,7 @@ fn rational_roots(polynomial: &[Rational], budget: &Budget) -> Result<Vec<Ration
 
 fn low_degree_roots(polynomial: &[Rational]) -> Vec<Rational> {
     match polynomial {
-        [constant, slope] => vec![Rational::from(-constant / slope)],
+        [constant, slope] => vec![-Rational::from(constant / slope)],
         [c, b, a] => {
             let square = Rational::from(b * b);
             let product = Rational::from(a * c) * 4u32;

@@ -2,7 +2,7 @@
 //! integers and half-integers (DLMF 5.4.1, 5.4.6), products for the rest of its family, logarithms
 //! and roots of numbers some power of which is rational, `hyp2f1` at integer parameters.
 
-use super::closed::{absolute, ln_of, order, rational, sign, times, to_power};
+use super::closed::{ln_of, rational, sign, times, to_power};
 use super::fraction::{Fraction, MAX_BITS, bits, power};
 use super::integrate::{Bound, definite};
 use super::{Failure, Outcome, unsupported};
@@ -262,16 +262,6 @@ pub(super) fn sine(x: &Exact, quarter: u32) -> Closed {
         1 => 1,
         _ => -1,
     }))
-}
-
-/// The larger (`Greater`) or smaller (`Less`) of two numbers.
-pub(super) fn extreme(a: Exact, b: Exact, wanted: Ordering) -> Result<Exact, Failure> {
-    Ok(if order(&a, &b)? == wanted { a } else { b })
-}
-
-/// `abs(x)`
-pub(super) fn abs(x: &Exact) -> Closed {
-    absolute(x).map(Value)
 }
 
 fn is_nonpositive_integer(x: &Rational) -> bool {

@@ -8,8 +8,8 @@
 //! the draws that occur free in its body, under their laws with the parameters as they are bound
 //! where the mean stands; so `lim(mean(e), l -> 1)` takes the law at `l = 1`.
 
+mod closed;
 mod condition;
-mod derivative;
 mod differentiate;
 mod enclose;
 mod exact;
@@ -17,7 +17,6 @@ mod float;
 mod fraction;
 mod functions;
 mod integrate;
-mod jet;
 mod law;
 mod limit;
 mod outcome;

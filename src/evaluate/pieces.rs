@@ -66,6 +66,21 @@ pub(super) fn of(
     between(cuts, from, to).map(Some)
 }
 
+/// Whether anything in it may depend on a comparison.
+pub(super) fn has_conditions(part: Part) -> bool {
+    let here = match part {
+        Part::Condition(_) => true,
+        Part::Formula(Formula::Call(f, _)) => {
+            matches!(f, Function::Abs | Function::Min | Function::Max)
+        }
+        Part::Formula(f) => matches!(f, Formula::Density(..) | Formula::Cumulative(..)),
+        Part::Law(_) => false,
+    };
+    let mut found = here;
+    part.each(&mut |inner, _| found = found || has_conditions(inner));
+    found
+}
+
 impl<'n> Search<'_, '_> {
     fn visit(&mut self, part: Part<'n>, hidden: &mut Vec<&'n Name>) {
         if self.failure.is_some() {
@@ -109,6 +124,16 @@ impl<'n> Search<'_, '_> {
             }
             Part::Formula(Formula::Density(quantity, x) | Formula::Cumulative(quantity, x)) => {
                 self.support(quantity, x, hidden)
+            }
+            Part::Formula(Formula::At(body, places) | Formula::Limit(body, places)) => {
+                let mut fixed = true;
+                for (_, place) in places {
+                    fixed &= self.is_fixed(place, hidden)?;
+                }
+                if !fixed && has_conditions(Part::Formula(body)) {
+                    return Err(unsupported("a condition on a replaced variable in an integrand"));
+                }
+                Ok(())
             }
             _ => Ok(()),
         }

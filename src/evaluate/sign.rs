@@ -21,20 +21,6 @@ pub(super) enum Sign {
     Unknown,
 }
 
-impl Sign {
-    pub fn reverse(self) -> Sign {
-        match self {
-            Sign::NonNegative => Sign::NonPositive,
-            Sign::NonPositive => Sign::NonNegative,
-            other => other,
-        }
-    }
-
-    pub fn reverse_if(self, reversed: bool) -> Sign {
-        if reversed { self.reverse() } else { self }
-    }
-}
-
 /// Rational ends of an interval that holds the one meant (`outer`), and of one inside of it.
 struct Ends {
     outer: (Option<Rational>, Option<Rational>),
