@@ -245,6 +245,27 @@ impl RationalFunction {
         })
     }
 
+    /// The function as `content * product of powers of primitive polynomials`; 0 has the content 0.
+    /// The polynomials need not be irreducible.
+    ///
+    /// # Errors
+    /// The budget is spent.
+    pub fn factored(
+        &self,
+        budget: &Budget,
+    ) -> Result<(Rational, BTreeMap<Polynomial, i64>), AlgebraError> {
+        let (content, primitive) = self.numerator.primitive();
+        let mut powers = BTreeMap::new();
+        for (atom, exponent) in factors(primitive, budget)? {
+            *powers.entry(atom).or_default() += i64::from(exponent);
+        }
+        for (atom, exponent) in &self.denominator {
+            *powers.entry(atom.clone()).or_default() -= i64::from(*exponent);
+        }
+        powers.retain(|_, exponent| *exponent != 0);
+        Ok((content, powers))
+    }
+
     /// The function with one symbol replaced; [`AlgebraError::DivisionByZero`] when that makes the
     /// denominator identically zero.
     ///
