@@ -100,7 +100,11 @@ impl Approach {
     }
 
     fn signed_text(&self, coefficient: &RationalFunction, exponent: i64) -> (bool, String) {
-        term_text(coefficient, &self.base(), exponent.saturating_mul(self.sign_of_log()))
+        term_text(
+            coefficient,
+            &self.base(),
+            exponent.saturating_mul(self.sign_of_log()),
+        )
     }
 
     /// A series as text of the claim language, its remainder as `O(...)`.

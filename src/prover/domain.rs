@@ -7,11 +7,9 @@
 
 use super::{Reason, engine_number};
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
-use crate::formula::{
-    Budget, Condition, Formula, Name, Operator, ParameterKind, Proposition, Relation,
-};
+use crate::formula::{Budget, Condition, Formula, Operator, ParameterKind, Proposition, Relation};
 use rug::Rational;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// What is to be shown of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +62,12 @@ impl Facts {
         for condition in &proposition.domain {
             facts.assume(condition, budget)?;
         }
-        facts.assume_sign(Polynomial::symbol(&"pi".into()), true);
+        let pi = LowerBound {
+            symbol: "pi".into(),
+            bound: Polynomial::zero(),
+            strict: true,
+        };
+        facts.bounds.push(pi);
         Ok(facts)
     }
 
@@ -153,10 +156,21 @@ impl Facts {
     /// Between integers `a > b` is `a >= b + 1`.
     fn lower_bound(&self, symbol: Symbol, bound: Polynomial, strict: bool) -> LowerBound {
         let whole = bound.terms().all(|(_, value)| value.is_integer())
-            && bound.symbols().iter().all(|other| self.integers.contains(other));
+            && bound
+                .symbols()
+                .iter()
+                .all(|other| self.integers.contains(other));
         match strict && whole && self.integers.contains(&symbol) {
-            true => LowerBound { symbol, bound: bound.add(&Polynomial::one()), strict: false },
-            false => LowerBound { symbol, bound, strict },
+            true => LowerBound {
+                symbol,
+                bound: bound.add(&Polynomial::one()),
+                strict: false,
+            },
+            false => LowerBound {
+                symbol,
+                bound,
+                strict,
+            },
         }
     }
 
@@ -201,7 +215,11 @@ impl Facts {
         budget: &Budget,
     ) -> Result<bool, Reason> {
         let mut tries = MAX_CHOICES;
-        let start = Shifted { value: value.clone(), positive: BTreeSet::new(), done: Vec::new() };
+        let start = Shifted {
+            value: value.clone(),
+            positive: BTreeSet::new(),
+            done: Vec::new(),
+        };
         self.search(&start, strict, &mut tries, budget)
     }
 
@@ -255,17 +273,30 @@ impl Shifted {
         }
         done.push(bound.symbol.clone());
         let value = self.value.substitute(&bound.symbol, &by, budget)?;
-        Ok(Shifted { value, positive, done })
+        Ok(Shifted {
+            value,
+            positive,
+            done,
+        })
     }
 
     fn is_bounded_below(&self, strict: bool) -> bool {
         let fits = |monomial: &Monomial, value: &Rational| {
-            *value > 0 && monomial.powers().iter().all(|(symbol, _)| symbol.starts_with('#'))
+            *value > 0
+                && monomial
+                    .powers()
+                    .iter()
+                    .all(|(symbol, _)| symbol.starts_with('#'))
         };
         let certain = |monomial: &Monomial| {
-            monomial.powers().iter().all(|(symbol, _)| self.positive.contains(symbol))
+            monomial
+                .powers()
+                .iter()
+                .all(|(symbol, _)| self.positive.contains(symbol))
         };
-        self.value.terms().all(|(monomial, value)| fits(monomial, value))
+        self.value
+            .terms()
+            .all(|(monomial, value)| fits(monomial, value))
             && (!strict || self.value.terms().any(|(monomial, _)| certain(monomial)))
     }
 }
@@ -292,26 +323,23 @@ pub(super) fn plain(formula: &Formula, budget: &Budget) -> Result<RationalFuncti
                 },
             }
         }
-        _ => Err(Reason::Unsupported("a condition on more than field operations".into())),
+        _ => Err(Reason::Unsupported(
+            "a condition on more than field operations".into(),
+        )),
     }
 }
 
-/// The symbols as values of a point.
-pub(super) fn point_values(
-    numbers: &BTreeMap<Name, crate::formula::Rational>,
-) -> BTreeMap<Symbol, Rational> {
-    let numbers = numbers.iter();
-    numbers.map(|(name, value)| (name.clone(), engine_number(value))).collect()
-}
-
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
 
     #[test]
     fn a_chain_bounds_what_stands_on_its_right() {
         let integers = ["k", "l", "m", "n"].map(Symbol::from);
-        let mut facts = Facts { integers: integers.into(), ..Facts::default() };
+        let mut facts = Facts {
+            integers: integers.into(),
+            ..Facts::default()
+        };
         let (k, l, m) = (["k", "l", "m"].map(|s| Polynomial::symbol(&s.into()))).into();
         let n = Polynomial::symbol(&"n".into());
         facts.assume_sign(l.sub(&Polynomial::one()), false);
@@ -326,6 +354,9 @@ pub(super) mod tests {
         assert!(shows(Sign::Positive, &k.sub(&l)));
         assert!(shows(Sign::NonZero, &l.sub(&n)));
         assert!(!shows(Sign::NonZero, &k.sub(&m)));
-        assert!(!shows(Sign::Positive, &k.sub(&Polynomial::integer(2)).sub(&l)));
+        assert!(!shows(
+            Sign::Positive,
+            &k.sub(&Polynomial::integer(2)).sub(&l)
+        ));
     }
 }

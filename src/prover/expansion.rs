@@ -8,9 +8,7 @@
 use super::domain::Sign;
 use super::{Approach, Reason, engine_number};
 use crate::algebra::{AlgebraError, Polynomial, RationalFunction, Series, Symbol};
-use crate::formula::{
-    Budget, Draw, Formula, Function, Name, Operator, RangeKind, Ranged,
-};
+use crate::formula::{Budget, Draw, Formula, Function, Name, Operator, RangeKind, Ranged};
 use rug::Rational;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -98,9 +96,10 @@ impl<'a> Expander<'a> {
         let value = self.value(formula, &Scope::new())?;
         let symbols = match &value {
             Value::Exact(value) | Value::Root(value, _) => value.symbols(),
-            Value::Expanded(series) => {
-                series.terms().flat_map(|(_, coefficient)| coefficient.symbols()).collect()
-            }
+            Value::Expanded(series) => series
+                .terms()
+                .flat_map(|(_, coefficient)| coefficient.symbols())
+                .collect(),
         };
         match symbols.iter().any(|symbol| self.is_bound(symbol)) {
             true => unsupported("a draw outside of a mean"),
@@ -111,9 +110,9 @@ impl<'a> Expander<'a> {
     pub(super) fn value(&self, formula: &Formula, scope: &Scope) -> Result<Value, Reason> {
         self.budget.spend(1)?;
         match formula {
-            Formula::Number(value) => {
-                Ok(Value::Exact(RationalFunction::constant(engine_number(value))))
-            }
+            Formula::Number(value) => Ok(Value::Exact(RationalFunction::constant(engine_number(
+                value,
+            )))),
             Formula::Pi => Ok(Value::Exact(RationalFunction::symbol(&"pi".into()))),
             Formula::Name(name) => Ok(match scope.get(name) {
                 Some(value) => value.clone(),
@@ -183,9 +182,9 @@ impl<'a> Expander<'a> {
         }
         let base = self.series(base)?;
         match base.leading() {
-            Some((0, lead)) if lead.as_constant().is_some_and(|lead| lead == 1) => {
-                Ok(Value::Expanded(base.unit_power(exponent, self.terms, self.budget)?))
-            }
+            Some((0, lead)) if lead.as_constant().is_some_and(|lead| lead == 1) => Ok(
+                Value::Expanded(base.unit_power(exponent, self.terms, self.budget)?),
+            ),
             _ => unsupported("a symbolic power of what does not tend to 1"),
         }
     }
@@ -241,7 +240,10 @@ impl<'a> Expander<'a> {
         }
         let (mut total, mut inner) = (Value::Exact(RationalFunction::zero()), scope.clone());
         for index in from..=to {
-            inner.insert(ranged.name.clone(), Value::Exact(RationalFunction::integer(index)));
+            inner.insert(
+                ranged.name.clone(),
+                Value::Exact(RationalFunction::integer(index)),
+            );
             total = self.add(&total, &self.value(&ranged.body, &inner)?)?;
         }
         Ok(total)
@@ -292,16 +294,19 @@ impl<'a> Expander<'a> {
             Value::Exact(base) => Ok(Value::Exact(base.powi(exponent, self.budget)?)),
             Value::Root(radicand, index) => {
                 let common = gcd(exponent.unsigned_abs(), u64::from(*index));
-                let (Ok(common), Ok(divisor)) = (i64::try_from(common), u32::try_from(common)) else {
+                let (Ok(common), Ok(divisor)) = (i64::try_from(common), u32::try_from(common))
+                else {
                     return unsupported("an exponent of this size");
                 };
                 // gcd(0, index) = index, so neither division is by zero.
                 let power = radicand.powi(exponent / common, self.budget)?;
                 self.root(&Value::Exact(power), index / divisor)
             }
-            Value::Expanded(base) => {
-                Ok(Value::Expanded(base.powi(exponent, self.terms, self.budget)?))
-            }
+            Value::Expanded(base) => Ok(Value::Expanded(base.powi(
+                exponent,
+                self.terms,
+                self.budget,
+            )?)),
         }
     }
 
@@ -365,7 +370,9 @@ impl<'a> Expander<'a> {
         };
         let power = RationalFunction::constant(Rational::from((1, index)));
         let unit = series.unit_power(&power, self.terms, self.budget)?;
-        Ok(unit.scale(&root, self.budget)?.shift(exponent / i64::from(index)))
+        Ok(unit
+            .scale(&root, self.budget)?
+            .shift(exponent / i64::from(index)))
     }
 
     pub(super) fn ln(&self, value: &Value) -> Result<Value, Reason> {
@@ -374,7 +381,9 @@ impl<'a> Expander<'a> {
             Value::Exact(value) => Ok(Value::Exact(self.ln_exact(value)?)),
             Value::Root(radicand, index) => {
                 let part = RationalFunction::constant(Rational::from((1, *index)));
-                Ok(Value::Exact(self.ln_exact(radicand)?.mul(&part, self.budget)?))
+                Ok(Value::Exact(
+                    self.ln_exact(radicand)?.mul(&part, self.budget)?,
+                ))
             }
             Value::Expanded(series) => Ok(Value::Expanded(self.ln_series(series)?)),
         }
@@ -397,7 +406,9 @@ impl<'a> Expander<'a> {
 
     fn ln_symbol(&self, argument: &Polynomial) -> RationalFunction {
         let symbol: Symbol = format!("ln({argument})").into();
-        self.logarithms.borrow_mut().insert(symbol.clone(), argument.clone());
+        self.logarithms
+            .borrow_mut()
+            .insert(symbol.clone(), argument.clone());
         RationalFunction::symbol(&symbol)
     }
 
@@ -485,13 +496,18 @@ impl<'a> Expander<'a> {
         let approach = self.approach()?;
         let known = self.logarithms.borrow().clone();
         let varying = |symbol: &Symbol| {
-            known.get(symbol).filter(|argument| argument.contains(approach.variable())).cloned()
+            known
+                .get(symbol)
+                .filter(|argument| argument.contains(approach.variable()))
+                .cloned()
         };
         let symbols = value.symbols();
         let found = symbols.iter().find_map(|symbol| {
             // The variable's own logarithm is the one symbol that series keep.
             let own = *symbol == approach.log_symbol();
-            varying(symbol).filter(|_| !own).map(|argument| (symbol, argument))
+            varying(symbol)
+                .filter(|_| !own)
+                .map(|argument| (symbol, argument))
         });
         let Some((symbol, argument)) = found else {
             return approach.polynomial(value, self.budget);
@@ -547,7 +563,11 @@ impl<'a> Expander<'a> {
                 if sign != Sign::NonZero && exponent % 2 != 0 && self.approach()?.two_sided() {
                     return unsupported("a sign that differs on the two sides of a point");
                 }
-                let sign = if sign == Sign::NonNegative { Sign::Positive } else { sign };
+                let sign = if sign == Sign::NonNegative {
+                    Sign::Positive
+                } else {
+                    sign
+                };
                 self.require(sign, &Value::Exact(lead.clone()))
             }
         }
@@ -555,8 +575,11 @@ impl<'a> Expander<'a> {
 
     fn record(&self, sign: Sign, polynomial: Polynomial) -> Result<(), Reason> {
         let mut polynomial = polynomial;
-        let bound: Vec<Symbol> =
-            polynomial.symbols().into_iter().filter(|symbol| self.is_bound(symbol)).collect();
+        let bound: Vec<Symbol> = polynomial
+            .symbols()
+            .into_iter()
+            .filter(|symbol| self.is_bound(symbol))
+            .collect();
         if !bound.is_empty() && sign != Sign::NonZero {
             return unsupported("the sign of a draw's function");
         }
@@ -629,8 +652,15 @@ pub fn expand(
             let (series, exact) = series?;
             let (logarithms, obligations) = (expander.logarithms(), expander.obligations());
             return match enough {
-                true => Ok(Expansion { series, exact, logarithms, obligations }),
-                false => Err(Reason::Undecided("leading terms cancel beyond the cap".into())),
+                true => Ok(Expansion {
+                    series,
+                    exact,
+                    logarithms,
+                    obligations,
+                }),
+                false => Err(Reason::Undecided(
+                    "leading terms cancel beyond the cap".into(),
+                )),
             };
         }
         terms = (2 * terms).min(MAX_TERMS);

@@ -25,7 +25,10 @@ impl Expander<'_> {
     /// The value of a product, a quotient or one of the functions made of Gamma functions.
     pub(super) fn product(&self, formula: &Formula, scope: &Scope) -> Result<Value, Reason> {
         let one = Value::Exact(RationalFunction::one());
-        let mut product = Product { value: one, gammas: Vec::new() };
+        let mut product = Product {
+            value: one,
+            gammas: Vec::new(),
+        };
         self.collect(formula, 1, scope, &mut product)?;
         let rational = self.cancel(product.gammas)?;
         self.multiply(&product.value, &Value::Exact(rational))
@@ -77,7 +80,10 @@ impl Expander<'_> {
             return self.factor(&self.value(formula, scope)?, power, product);
         };
         let exponent = super::engine_number(exponent);
-        let whole = exponent.is_integer().then(|| exponent.numer().to_i64()).flatten();
+        let whole = exponent
+            .is_integer()
+            .then(|| exponent.numer().to_i64())
+            .flatten();
         let combined = whole.and_then(|whole| power.checked_mul(whole));
         match combined {
             Some(0) | None => self.factor(&self.value(formula, scope)?, power, product),
@@ -272,10 +278,15 @@ impl Expander<'_> {
         for j in 0..self.terms {
             let step = RationalFunction::integer(j);
             let next = RationalFunction::integer(j + 1);
-            let above = a.add(&step, self.budget)?.mul(&b.add(&step, self.budget)?, self.budget)?;
+            let above = a
+                .add(&step, self.budget)?
+                .mul(&b.add(&step, self.budget)?, self.budget)?;
             let below = c.add(&step, self.budget)?.mul(&next, self.budget)?;
             let ratio = above.div(&below, self.budget)?;
-            term = term.mul(&z, self.budget)?.scale(&ratio, self.budget)?.truncate(self.terms);
+            term = term
+                .mul(&z, self.budget)?
+                .scale(&ratio, self.budget)?
+                .truncate(self.terms);
             sum = sum.add(&term, self.budget)?;
         }
         let rest = match z.is_zero() {

@@ -38,9 +38,15 @@ pub(super) fn laurent(
 impl Expander<'_> {
     /// `int(e, x = a..b)` for e a Laurent polynomial in x.
     pub(super) fn integral(&self, ranged: &Ranged, scope: &Scope) -> Result<Value, Reason> {
-        let (from, to) = (self.value(&ranged.from, scope)?, self.value(&ranged.to, scope)?);
+        let (from, to) = (
+            self.value(&ranged.from, scope)?,
+            self.value(&ranged.to, scope)?,
+        );
         let (symbol, mut inner) = (self.fresh(&ranged.name), scope.clone());
-        inner.insert(ranged.name.clone(), Value::Exact(RationalFunction::symbol(&symbol)));
+        inner.insert(
+            ranged.name.clone(),
+            Value::Exact(RationalFunction::symbol(&symbol)),
+        );
         let Value::Exact(body) = self.value(&ranged.body, &inner)? else {
             return unsupported("an integral of a series");
         };

@@ -1,9 +1,11 @@
 //! Finds proofs. So far: expansions, as far as exact Laurent series decide them.
 
+mod along;
 mod approach;
 mod asymptotics;
 mod domain;
 mod expansion;
+mod failure;
 mod gamma;
 mod integral;
 mod joint;
@@ -54,7 +56,11 @@ fn engine_number(value: &Rational) -> rug::Rational {
     let part = |integer: &num_bigint::BigInt| {
         let (sign, bytes) = integer.to_bytes_le();
         let size = rug::Integer::from_digits(&bytes, rug::integer::Order::Lsf);
-        if sign == num_bigint::Sign::Minus { -size } else { size }
+        if sign == num_bigint::Sign::Minus {
+            -size
+        } else {
+            size
+        }
     };
     rug::Rational::from((part(value.numer()), part(value.denom())))
 }

@@ -61,7 +61,10 @@ impl Expander<'_> {
         };
         let mean = self.average(&body, &draws, scope)?;
         let square_of_mean = self.powi(&mean, 2)?;
-        self.add(&self.average(&square, &draws, scope)?, &self.negate(&square_of_mean)?)
+        self.add(
+            &self.average(&square, &draws, scope)?,
+            &self.negate(&square_of_mean)?,
+        )
     }
 
     fn body<'d>(
@@ -75,7 +78,10 @@ impl Expander<'_> {
             return Ok((self.value(body, scope)?, draws.collect()));
         };
         let (symbol, mut inner) = (self.fresh(&draw.name), scope.clone());
-        inner.insert(draw.name.clone(), Value::Exact(RationalFunction::symbol(&symbol)));
+        inner.insert(
+            draw.name.clone(),
+            Value::Exact(RationalFunction::symbol(&symbol)),
+        );
         Ok((self.value(body, &inner)?, vec![(symbol, &draw.law)]))
     }
 
@@ -163,7 +169,9 @@ impl Expander<'_> {
         match moments {
             Moments::Beta(a, b) => Ok(Value::Exact(self.beta_moment(a, b, exponent)?)),
             Moments::Density(density, from, to) => {
-                let shifted = density.iter().map(|(power, value)| (power + exponent, value.clone()));
+                let shifted = density
+                    .iter()
+                    .map(|(power, value)| (power + exponent, value.clone()));
                 self.integrate(&shifted.collect(), from, to)
             }
         }
@@ -211,7 +219,9 @@ impl Expander<'_> {
             }
             Law::Order(l, m, one) => {
                 let (l, m) = (self.parameter(l, scope)?, self.parameter(m, scope)?);
-                let rest = m.sub(&l, self.budget)?.add(&RationalFunction::one(), self.budget)?;
+                let rest = m
+                    .sub(&l, self.budget)?
+                    .add(&RationalFunction::one(), self.budget)?;
                 let law = self.power_law(one, scope)?;
                 self.to_beta(body, symbol, &law, self.beta(l, rest)?)
             }
@@ -224,16 +234,29 @@ impl Expander<'_> {
                     return self.to_unit(body, symbol, law, scope);
                 };
                 let density = BTreeMap::from([(0, length.recip(self.budget)?)]);
-                Ok((body.clone(), symbol.clone(), Moments::Density(density, from, to)))
+                Ok((
+                    body.clone(),
+                    symbol.clone(),
+                    Moments::Density(density, from, to),
+                ))
             }
-            Law::Density { argument, body: density, from, to } => {
+            Law::Density {
+                argument,
+                body: density,
+                from,
+                to,
+            } => {
                 if laurent(body, symbol, self)?.is_none() {
                     return self.to_unit(body, symbol, law, scope);
                 }
                 let (from, to) = (self.value(from, scope)?, self.value(to, scope)?);
                 let density = self.density(argument, density, scope)?;
                 self.require_mass(&density, &from, &to)?;
-                Ok((body.clone(), symbol.clone(), Moments::Density(density, from, to)))
+                Ok((
+                    body.clone(),
+                    symbol.clone(),
+                    Moments::Density(density, from, to),
+                ))
             }
             Law::Any => unsupported("a law that is not told"),
         }
@@ -252,7 +275,10 @@ impl Expander<'_> {
         scope: &Scope,
     ) -> Result<BTreeMap<i64, RationalFunction>, Reason> {
         let (symbol, mut inner) = (self.fresh(argument), scope.clone());
-        inner.insert(argument.clone(), Value::Exact(RationalFunction::symbol(&symbol)));
+        inner.insert(
+            argument.clone(),
+            Value::Exact(RationalFunction::symbol(&symbol)),
+        );
         let Value::Exact(body) = self.value(body, &inner)? else {
             return unsupported("a density that is no rational function");
         };
@@ -284,9 +310,18 @@ impl Expander<'_> {
                 let (low, high) = (self.parameter(from, scope)?, self.parameter(to, scope)?);
                 let length = Value::Exact(high.sub(&low, self.budget)?);
                 self.require(Sign::Positive, &length)?;
-                Ok(PowerLaw { power: 1, low, high })
+                Ok(PowerLaw {
+                    power: 1,
+                    low,
+                    high,
+                })
             }
-            Law::Density { argument, body, from, to } => {
+            Law::Density {
+                argument,
+                body,
+                from,
+                to,
+            } => {
                 let density = self.density(argument, body, scope)?;
                 let (from, to) = (self.value(from, scope)?, self.value(to, scope)?);
                 self.require_mass(&density, &from, &to)?;
