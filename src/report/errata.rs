@@ -140,7 +140,7 @@ mod tests {
             "{text}"
         );
         assert!(
-            text.contains(r"k $>$= 3") || text.contains("k >= 3"),
+            text.contains(r"needs: \texttt{k >{}= 3}"),
             "{text}"
         );
     }

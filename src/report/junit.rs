@@ -4,6 +4,7 @@
 //! expected, so they are skipped tests.
 
 use super::human::detail;
+use super::tally;
 use crate::corpus::Run;
 use crate::judge::{Report, Verdict};
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
@@ -43,7 +44,7 @@ fn status(report: &Report) -> TestCaseStatus {
     if !report.as_expected {
         let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
         status.set_type("not as expected");
-        status.set_message(format!("{}, expected {}", verdict.word(), report.expected));
+        status.set_message(format!("{}, expected {}", verdict.word(), tally::expected(report)));
         status.set_description(anstream::adapter::strip_str(&detail::render(report)).to_string());
         return status;
     }

@@ -47,3 +47,11 @@ pub(super) fn count(reports: &[Report], outcome: Outcome) -> usize {
 pub(super) fn unexpected(reports: &[Report]) -> usize {
     reports.iter().filter(|report| !report.as_expected).count()
 }
+
+/// What the book expects of a claim, in words; without an `expect` line the print is expected to stand.
+pub(super) fn expected(report: &Report) -> &str {
+    match report.expected.as_str() {
+        "" => "printed proved, certified, defined or noted",
+        written => written,
+    }
+}

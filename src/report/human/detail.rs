@@ -1,5 +1,6 @@
 //! All that is known of one claim, as labelled lines.
 
+use super::tally;
 use super::{BAD, FAINT, STRONG, WRONG, paint, style};
 use crate::judge::{Answer, Extent, Report, WitnessReport};
 
@@ -12,7 +13,7 @@ const INDENT: usize = 12;
 pub fn render(report: &Report) -> String {
     let place = paint(FAINT, &format!("{}:{}", report.file, report.line));
     let mut text = format!("{} {place}\n", paint(STRONG, &report.id));
-    line(&mut text, "expected", &report.expected);
+    line(&mut text, "expected", tally::expected(report));
     if !report.as_expected {
         text.push_str(&format!("  {}\n", paint(BAD, "not as expected")));
     }
