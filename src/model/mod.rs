@@ -13,7 +13,7 @@ mod layout;
 mod moments;
 
 pub use layout::Layout;
-pub use moments::{Linear, MomentError, Moments, moments};
+pub use moments::{Moment, MomentError, Moments, moments};
 
 use rug::{Integer, Rational};
 

@@ -15,23 +15,36 @@
 //! infinite where a denominator is not positive.
 
 use super::Shell;
+use crate::number::Exact;
 use rug::{Integer, Rational};
 
 /// The most photons of a shell for which [`moments`] computes: the numbers grow by some bits a step.
 const MOST_PHOTONS: u32 = 4096;
 
-/// `rational + logarithm * ln(1 + V/Va)`; where `Va = 0` the second is 0.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Linear {
-    pub rational: Rational,
-    pub logarithm: Rational,
-}
+/// Each step of the recurrence adds about the bits of the volumes to the numbers; no more than this in all.
+const MOST_BITS: u64 = 1 << 20;
 
-/// The means of `k/U` and `(k/U)^2`; `None` is `+inf`.
+/// The means of `k/U` and `(k/U)^2`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Moments {
-    pub mean: Option<Linear>,
-    pub mean_square: Option<Linear>,
+    pub mean: Moment,
+    pub mean_square: Moment,
+}
+
+/// A mean of something positive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Moment {
+    /// In `Q[ln(1 + V/Va)]`.
+    Finite(Exact),
+    /// `+inf`
+    Infinite,
+}
+
+/// `rational + logarithm * ln(1 + V/Va)`; where `Va = 0` the second is 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Linear {
+    rational: Rational,
+    logarithm: Rational,
 }
 
 /// Why there are no exact moments.
@@ -40,6 +53,9 @@ pub enum MomentError {
     /// Exact numbers would be out of proportion.
     #[error("the shell holds {0} photons, exact moments are computed for up to {MOST_PHOTONS}")]
     TooManyPhotons(Integer),
+    /// The volumes have too many digits for the number of photons.
+    #[error("the exact moments of this shell are too large")]
+    TooLarge,
     /// No shell of the model; those of a [`super::Layout`] all are.
     #[error("a shell needs 1 <= l <= m, Va >= 0 and V > 0")]
     NoShell,
@@ -58,19 +74,57 @@ pub fn moments(k: &Integer, shell: &Shell) -> Result<Moments, MomentError> {
     let (Some(l), Some(m)) = (few(l), few(m)) else {
         return Err(MomentError::TooManyPhotons(m.clone()));
     };
-    let (first, second) = if shell.inner == 0 {
-        at_the_centre(&shell.volume, l, m)
-    } else {
-        (
-            Some(inverse(shell, l, m)),
-            Some(inverse_square(shell, l, m)),
-        )
-    };
+    let bits = [&shell.inner, &shell.volume]
+        .map(|q| u64::from(q.numer().significant_bits()) + u64::from(q.denom().significant_bits()));
+    if (bits[0] + bits[1]).saturating_mul(m.into()) > MOST_BITS {
+        return Err(MomentError::TooLarge);
+    }
+    let (first, second) = linear_means(shell, l, m);
     let square = Rational::from(k.clone() * k);
     Ok(Moments {
-        mean: first.map(|f| f.times(&Rational::from(k))),
-        mean_square: second.map(|s| s.times(&square)),
+        mean: Moment::new(first.map(|f| f.times(&Rational::from(k))), shell)?,
+        mean_square: Moment::new(second.map(|s| s.times(&square)), shell)?,
     })
+}
+
+/// F and S; `None` is `+inf`.
+fn linear_means(shell: &Shell, l: u32, m: u32) -> (Option<Linear>, Option<Linear>) {
+    if shell.inner == 0 {
+        return at_the_centre(&shell.volume, l, m);
+    }
+    let square = inverse_square(shell, l, m);
+    (Some(inverse(shell, l, m)), Some(square))
+}
+
+impl Moments {
+    /// The variance of `k/U`; `None` where the mean is not finite, or the exact value out of
+    /// proportion.
+    pub fn variance(&self) -> Option<Moment> {
+        let Moment::Finite(mean) = &self.mean else {
+            return None;
+        };
+        match &self.mean_square {
+            Moment::Infinite => Some(Moment::Infinite),
+            Moment::Finite(square) => Some(Moment::Finite(square.sub(&mean.mul(mean).ok()?))),
+        }
+    }
+}
+
+impl Moment {
+    fn new(value: Option<Linear>, shell: &Shell) -> Result<Moment, MomentError> {
+        let Some(value) = value else {
+            return Ok(Moment::Infinite);
+        };
+        let rational = Exact::from_rational(&value.rational);
+        if value.logarithm == 0 {
+            return Ok(Moment::Finite(rational));
+        }
+        let argument = Rational::from(&shell.volume / &shell.inner) + 1u32;
+        let logarithm = Exact::ln_of(&argument).ok_or(MomentError::NoShell)?;
+        let term = logarithm.mul(&Exact::from_rational(&value.logarithm));
+        let term = term.map_err(|_| MomentError::TooLarge)?;
+        Ok(Moment::Finite(rational.add(&term)))
+    }
 }
 
 impl Linear {
@@ -203,11 +257,14 @@ mod tests {
             .expect("every k has a shell")
     }
 
+    /// k F and k^2 S, before they become exact numbers.
     fn both(k: u32, shell: &Shell) -> (Linear, Linear) {
-        let exact = moments(&k.into(), shell).expect("small");
+        let (l, m) = (shell.position.to_u32(), shell.count.to_u32());
+        let (l, m) = (l.expect("small"), m.expect("small"));
+        let (first, second) = linear_means(shell, l, m);
         (
-            exact.mean.expect("finite"),
-            exact.mean_square.expect("finite"),
+            first.expect("finite").times(&Rational::from(k)),
+            second.expect("finite").times(&Rational::from(k * k)),
         )
     }
 
@@ -285,21 +342,34 @@ mod tests {
             let shell = layout.shell(&k.into()).expect("k <= n");
             moments(&k.into(), &shell).expect("small")
         };
-        assert_eq!(
-            at(1),
-            Moments {
-                mean: None,
-                mean_square: None
-            }
-        );
-        assert_eq!(at(2).mean, Some(Linear::rational(Rational::from(2))));
-        assert_eq!(at(2).mean_square, None);
-        // n/k scales: E = k/(k-1); E2 = k^2 (n-1)/(n (k-1) (k-2)).
-        assert_eq!(at(4).mean, Some(Linear::rational(Rational::from((4, 3)))));
-        assert_eq!(
-            at(4).mean_square,
-            Some(Linear::rational(Rational::from((16 * 9, 10 * 3 * 2))))
-        );
+        let finite = |p: u32, q: u32| Moment::Finite(Exact::from_rational(&Rational::from((p, q))));
+        assert_eq!(at(1).mean, Moment::Infinite);
+        assert_eq!(at(1).variance(), None);
+        assert_eq!(at(2).mean, finite(2, 1));
+        assert_eq!(at(2).variance(), Some(Moment::Infinite));
+        // Of n photons: E = k/(k-1), E2 = k^2 (n-1)/(n (k-1) (k-2)).
+        assert_eq!(at(4).mean, finite(4, 3));
+        assert_eq!(at(4).mean_square, finite(16 * 9, 10 * 3 * 2));
+        // Var = k^2 (n-k+1)/((k-2) (k-1)^2 n).
+        assert_eq!(at(4).variance(), Some(finite(16 * 7, 2 * 9 * 10)));
+    }
+
+    #[test]
+    fn one_photon_a_shell_has_the_moments_of_a_uniform_law() {
+        // E = k ln(k/(k-1)), Var = k/(k-1) - E^2 for U uniform on [k-1, k].
+        let exact = |k: u32| {
+            let shell = Layout::One.shell(&k.into()).expect("every k has a shell");
+            moments(&k.into(), &shell).expect("one photon")
+        };
+        for k in 2..=50u32 {
+            let log = Exact::ln_of(&Rational::from((k, k - 1))).expect("positive");
+            let mean = log.mul(&Exact::from_i64(k.into())).expect("small");
+            let square = Exact::from_rational(&Rational::from((k, k - 1)));
+            let variance = square.sub(&mean.mul(&mean).expect("small"));
+            assert_eq!(exact(k).variance(), Some(Moment::Finite(variance)));
+            assert_eq!(exact(k).mean, Moment::Finite(mean));
+        }
+        assert_eq!(exact(1).mean, Moment::Infinite);
     }
 
     #[test]

@@ -139,9 +139,6 @@ mod tests {
             text.contains(r"\texttt{var(Ihat) == I\textasciicircum{}2*k"),
             "{text}"
         );
-        assert!(
-            text.contains(r"needs: \texttt{k >{}= 3}"),
-            "{text}"
-        );
+        assert!(text.contains(r"needs: \texttt{k >{}= 3}"), "{text}");
     }
 }

@@ -44,7 +44,11 @@ fn status(report: &Report) -> TestCaseStatus {
     if !report.as_expected {
         let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
         status.set_type("not as expected");
-        status.set_message(format!("{}, expected {}", verdict.word(), tally::expected(report)));
+        status.set_message(format!(
+            "{}, expected {}",
+            verdict.word(),
+            tally::expected(report)
+        ));
         status.set_description(anstream::adapter::strip_str(&detail::render(report)).to_string());
         return status;
     }
