@@ -18,3 +18,21 @@ pub struct Diagnostic {
     /// What to do about it, where that is known.
     pub hint: Option<String>,
 }
+
+impl Span {
+    /// The same bytes in a text that begins `by` bytes earlier.
+    pub fn shifted(self, by: usize) -> Span {
+        Span {
+            start: self.start + by,
+            end: self.end + by,
+        }
+    }
+}
+
+impl Diagnostic {
+    /// The same place in a text that begins `by` bytes earlier.
+    pub fn shifted(mut self, by: usize) -> Diagnostic {
+        self.span = self.span.shifted(by);
+        self
+    }
+}

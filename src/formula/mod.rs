@@ -10,13 +10,24 @@
 
 pub mod budget;
 pub mod error;
+mod lexer;
+mod names;
+pub(crate) mod parser;
+mod print;
 mod proposition;
 mod statement;
+mod substitute;
 
 pub use budget::Budget;
 pub use error::{Diagnostic, Span};
+pub use names::{Part, free_functions, free_names, nearest};
+pub use parser::{
+    MAX_DEPTH, MAX_DIGITS, MAX_NESTING, is_reserved, parse_condition, parse_formula, parse_law,
+    parse_proposition, parse_statement,
+};
 pub use proposition::{Draw, FunctionKind, Law, Parameter, ParameterKind, Point, Proposition};
 pub use statement::{Duty, Regime, Statement, Target, Tendency};
+pub use substitute::{MAX_NODES, Substitution, TooLarge, substitute};
 
 use std::sync::Arc;
 
