@@ -4,6 +4,7 @@
 //! judged before it or beside it; so any number of threads gives the same reports.
 
 use crate::book::{Book, Claim};
+use crate::formula::nearest;
 use crate::judge::Report;
 use rayon::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -32,7 +33,7 @@ pub struct Run {
 /// Why a run has no reports.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
-    /// `only` names a claim that the book does not have; the nearest id that it has.
+    /// `only` names a claim that the book does not have; the id spelled most like it.
     #[error("no claim has the id `{id}`")]
     UnknownId { id: String, nearest: Option<String> },
     /// A fault of this program, not of the book.
@@ -86,27 +87,10 @@ pub fn chosen<'a>(book: &'a Book, only: &[String]) -> Result<Vec<&'a Claim>, Err
 
 fn unknown(book: &Book, id: &str) -> Error {
     let ids = book.claims.iter().map(|claim| &*claim.id);
-    let nearest = ids.min_by_key(|candidate| distance(candidate, id));
     Error::UnknownId {
         id: id.to_owned(),
-        nearest: nearest.map(str::to_owned),
+        nearest: nearest(id, ids).map(str::to_owned),
     }
-}
-
-/// Levenshtein's distance: how many letters must be typed anew.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut corner = i;
-        row[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let replace = corner + usize::from(x != y);
-            corner = row[j + 1];
-            row[j + 1] = replace.min(row[j] + 1).min(corner + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// One claim; a panic becomes an error that names it.
@@ -248,12 +232,5 @@ mod tests {
         };
         run(&book(50), &Options::default(), noted, count).expect("no fault");
         assert_eq!(most.into_inner(), 50);
-    }
-
-    #[test]
-    fn distances() {
-        assert_eq!(distance("", "ab"), 2);
-        assert_eq!(distance("kitten", "sitting"), 3);
-        assert_eq!(distance("2.14", "2.14"), 0);
     }
 }
