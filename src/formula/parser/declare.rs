@@ -1,7 +1,7 @@
 //! Declarations, as claims and canonical propositions write them: `given` and `draw` lines.
 
 use super::statement::repeated;
-use super::{MentionKind, Parsed, Parser, whole};
+use super::{Parsed, Parser, whole};
 use crate::formula::{
     Condition, Diagnostic, Draw, Formula, FunctionKind, Law, Name, Parameter, ParameterKind,
     Proposition, Span, lexer::Token,
@@ -203,13 +203,6 @@ impl Parser<'_> {
         };
         let sufficient = self.eat_word("sufficient");
         Ok((condition, sufficient, span))
-    }
-
-    /// Remembers a name that stands alone, such as that of a `use` line.
-    pub(crate) fn lone_name(&mut self) -> Result<(Name, Span), Diagnostic> {
-        let (name, span) = self.identifier()?;
-        self.mention(&name, span, MentionKind::Value);
-        Ok((name, span))
     }
 }
 
