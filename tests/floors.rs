@@ -187,6 +187,22 @@ fn the_kernel_uses_no_floating_point() {
     }
 }
 
+/// `Float::with_val` rounds to nearest; the end of an interval must be rounded outwards.
+#[test]
+fn intervals_never_round_to_nearest() {
+    let sources = sources();
+    let rigorous = ["number", "special"];
+    for source in sources
+        .iter()
+        .filter(|source| rigorous.contains(&&*source.floor))
+    {
+        if !is_test_module(source, &sources) {
+            let nearest = source.code.contains("Float::with_val(");
+            assert!(!nearest, "{:?} rounds to nearest", source.path);
+        }
+    }
+}
+
 /// Whether the file is a module of tests: one that its parent declares under `#[cfg(test)]`.
 fn is_test_module(source: &Source, all: &[Source]) -> bool {
     let name = source.path.file_stem().expect("a file").to_string_lossy();

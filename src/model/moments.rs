@@ -203,6 +203,8 @@ fn inverse_square(shell: &Shell, l: u32, m: u32) -> Linear {
 mod tests {
     use super::super::Layout;
     use super::*;
+    use rug::ops::Pow;
+    use std::cmp::Ordering;
 
     /// The mean of `U^-p` from the integral itself: with `r = Va/V`, divide the polynomial
     /// `x^(l-1) (1-x)^(m-l)` by `(x + r)^p` and integrate the quotient and the remainder.
@@ -373,12 +375,39 @@ mod tests {
     }
 
     #[test]
+    fn strategy_2_overestimates_by_less_than_one_part_in_k() {
+        // 1 + 1/k^2 < E_k < 1 + 1/k for k > 3, the thesis's conjecture, exactly and shell by shell.
+        for k in 4..=130u32 {
+            let exact = moments(&k.into(), &triangular(k)).expect("small");
+            let Moment::Finite(mean) = exact.mean else {
+                panic!("k = {k} is infinite");
+            };
+            let bound = |p: u32, q: u32| Exact::from_rational(&Rational::from((p, q)));
+            let above = mean.sub(&bound(k * k + 1, k * k));
+            let below = bound(k + 1, k).sub(&mean);
+            assert_eq!(above.sign(), Some(Ordering::Greater), "k = {k}");
+            assert_eq!(below.sign(), Some(Ordering::Greater), "k = {k}");
+        }
+    }
+
+    #[test]
     fn large_shells_are_refused_not_attempted() {
         let k = Integer::from(10u64.pow(18));
         let shell = Layout::Triangular.shell(&k).expect("every k has a shell");
         assert_eq!(
             moments(&k, &shell),
-            Err(MomentError::TooManyPhotons(shell.count))
+            Err(MomentError::TooManyPhotons(shell.count.clone()))
         );
+        let long = Rational::from((1, Integer::from(3).pow(1_000_000)));
+        let shell = Shell {
+            inner: long,
+            ..triangular(5000)
+        };
+        assert_eq!(moments(&k, &shell), Err(MomentError::TooLarge));
+        let shell = Shell {
+            inner: Rational::from(-1),
+            ..triangular(10)
+        };
+        assert_eq!(moments(&k, &shell), Err(MomentError::NoShell));
     }
 }
