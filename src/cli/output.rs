@@ -1,6 +1,5 @@
 //! Where text goes and how a command ends.
 
-use crate::formula::Diagnostic;
 use crate::report::diagnostic;
 use std::io::{self, Write};
 
@@ -21,20 +20,23 @@ pub(super) struct Failure {
 }
 
 impl Failure {
-    /// A usage or input error without a place.
-    pub(super) fn input(message: &str, hint: Option<&str>) -> Failure {
+    /// A usage or input error, rendered already.
+    pub(super) fn rendered(text: String) -> Failure {
         Failure {
             exit: Exit::Input,
-            text: diagnostic::plain(message, hint),
+            text,
         }
     }
 
-    /// An error in the text of a file or an argument.
-    pub(super) fn at(path: &str, source: &str, error: &Diagnostic) -> Failure {
-        Failure {
-            exit: Exit::Input,
-            text: diagnostic::render(path, source, error),
-        }
+    /// A usage or input error without a place.
+    pub(super) fn input(message: &str, hint: Option<&str>) -> Failure {
+        Failure::rendered(diagnostic::plain(message, hint))
+    }
+
+    /// An error in the text of an argument.
+    #[cfg(feature = "engine")]
+    pub(super) fn at(argument: &str, text: &str, error: &crate::formula::Diagnostic) -> Failure {
+        Failure::rendered(diagnostic::render(argument, text, error))
     }
 }
 
