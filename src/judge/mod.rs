@@ -1,5 +1,243 @@
-//! Statement to verdict.
+//! Statement to verdict: refute if possible, else certify, within a budget of counted steps.
+//!
+//! The judge finds; it is not believed. A failure that it sees counts only when the kernel checks it
+//! ([`crate::kernel::check_witness`]); what it cannot decide stays `undecided`.
 
+mod points;
+mod relate;
+mod statement;
 mod verdict;
 
-pub use verdict::{Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
+pub use verdict::{
+    Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport,
+};
+
+use crate::book::{Claim, Expectation, Fault, IllTyped};
+use crate::formula::{Budget, Condition, Point, Proposition, Relation, Statement};
+use crate::kernel::Value;
+use crate::number::Interval;
+use crate::number::convert::to_rug;
+use points::Domain;
+use statement::{Evidence, Finding, holds_at, is_expansion, judge_proposition};
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// How hard the judge tries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// The seed of all random points.
+    pub seed: u64,
+    /// Digits that agreeing enclosures must reach.
+    pub digits: u32,
+    /// Steps a claim may spend.
+    pub budget: u64,
+    /// Small points tried a statement; half as many near random ones and an eighth far ones follow.
+    pub points: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings { seed: 1, digits: 50, budget: 30_000_000, points: 120 }
+    }
+}
+
+/// Judges one claim. `previous` is the claim that its `after` line names.
+pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Report {
+    let started = Instant::now();
+    let budget = Budget::new(settings.budget);
+    let bench = Bench { claim, settings, budget: &budget };
+    let (printed, mended) = (claim.printed(), claim.mended());
+    let printed_finding = bench.find(&printed);
+    let mended_finding = mended.as_ref().map(|mended| bench.find(mended));
+    let needs_fault = mended.as_ref().and_then(|mended| bench.needs_fault(mended.as_ref().ok()?));
+    let fault = bench.fault(&printed_finding, &printed, mended.as_ref(), mended_finding.as_ref());
+    let mut printed = answer(printed_finding, &printed, &claim.says_text, fault);
+    printed.links = bench.links(previous);
+    let mended = mended.zip(mended_finding).map(|(mended, finding)| {
+        let text = claim.mend_text.as_ref().unwrap_or(&claim.says_text);
+        answer(finding, &mended, text, Fault::Statement)
+    });
+    let as_expected = needs_fault.is_none() && bench.as_expected(&printed, mended.as_ref());
+    Report {
+        id: claim.id.to_string(),
+        file: claim.file.display().to_string(),
+        line: claim.line,
+        kind: kind(&claim.says),
+        printed,
+        mended,
+        needs: claim.needs.as_ref().map(|needs| needs.text.clone()),
+        needs_fault,
+        sufficient: claim.needs.as_ref().is_some_and(|needs| needs.sufficient),
+        slip: claim.slip.clone(),
+        why: claim.why.clone(),
+        expected: claim.expect_text.clone().unwrap_or_default(),
+        as_expected,
+        steps: budget.spent(),
+        seconds: started.elapsed().as_secs_f64(),
+    }
+}
+
+/// One claim on the bench, with what may be spent on it.
+struct Bench<'a> {
+    claim: &'a Claim,
+    settings: &'a Settings,
+    budget: &'a Budget,
+}
+
+/// How many points that `needs` shuts out are tried.
+const SHUT_OUT_POINTS: usize = 60;
+
+impl Bench<'_> {
+    fn find(&self, unfolded: &Result<Proposition, IllTyped>) -> Finding {
+        match unfolded {
+            Ok(proposition) => judge_proposition(proposition, self.budget, self.settings),
+            Err(illtyped) => Finding::because(Verdict::IllTyped, illtyped.to_string()),
+        }
+    }
+
+    /// A refuted print is at fault in its domain where the same statement holds under `needs`.
+    fn fault(
+        &self,
+        finding: &Finding,
+        printed: &Result<Proposition, IllTyped>,
+        mended: Option<&Result<Proposition, IllTyped>>,
+        mended_finding: Option<&Finding>,
+    ) -> Fault {
+        let (Verdict::Refuted, Some(_), Ok(printed), Some(Ok(mended))) =
+            (finding.verdict, &self.claim.needs, printed, mended)
+        else {
+            return Fault::Statement;
+        };
+        let holds = if self.claim.mend.is_none() {
+            mended_finding.is_some_and(Finding::positive)
+        } else {
+            let under_needs =
+                Proposition { statement: printed.statement.clone(), ..mended.clone() };
+            judge_proposition(&under_needs, self.budget, self.settings).positive()
+        };
+        if holds { Fault::Domain } else { Fault::Statement }
+    }
+
+    /// `needs` is tried: every point that it shuts out must fail, or have no value on either side.
+    fn needs_fault(&self, mended: &Proposition) -> Option<String> {
+        if self.claim.needs.as_ref()?.sufficient {
+            return None;
+        }
+        let mut outside = mended.clone();
+        let needs = outside.domain.pop()?;
+        outside.domain.push(Condition::Not(Box::new(needs)));
+        let domain = Domain::new(&outside, self.budget);
+        let points = domain.small(SHUT_OUT_POINTS, 100 * SHUT_OUT_POINTS);
+        let held = points.iter().find(|point| {
+            holds_at(&outside, point, self.budget, self.settings) == Some(true)
+        })?;
+        let values: Vec<String> =
+            held.numbers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        Some(format!("stronger than necessary: the statement holds at {}", values.join(", ")))
+    }
+
+    fn links(&self, previous: Option<&Claim>) -> Vec<LinkReport> {
+        let Some((previous, proposition)) =
+            previous.and_then(|previous| Some((previous, self.claim.link(previous)?)))
+        else {
+            return Vec::new();
+        };
+        let verdict = judge_proposition(&proposition, self.budget, self.settings).verdict;
+        vec![LinkReport { with: previous.id.to_string(), verdict }]
+    }
+
+    fn as_expected(&self, printed: &Answer, mended: Option<&Answer>) -> bool {
+        Expectation::of(self.claim).met(
+            (printed.verdict.into(), printed.fault),
+            mended.map(|mended| (mended.verdict.into(), mended.fault)),
+        )
+    }
+}
+
+fn answer(
+    finding: Finding,
+    unfolded: &Result<Proposition, IllTyped>,
+    written: &str,
+    fault: Fault,
+) -> Answer {
+    Answer {
+        verdict: finding.verdict,
+        fault: (finding.verdict == Verdict::Refuted).then_some(fault),
+        written: written.to_string(),
+        statement: unfolded.as_ref().map(ToString::to_string).unwrap_or_default(),
+        extent: finding.extent,
+        reason: finding.reason,
+        witness: finding.witness.map(report_witness),
+        links: Vec::new(),
+        series: finding.series,
+        constants: None,
+        facts: Vec::new(),
+        certificate: None,
+    }
+}
+
+fn report_witness(evidence: Evidence) -> WitnessReport {
+    match evidence {
+        Evidence::Checked { witness, refutation } => WitnessReport {
+            point: point_text(&witness.point),
+            values: [value_text(refutation.left()), value_text(refutation.right())],
+            because: refutation.because().word(),
+        },
+        Evidence::Series { point, claimed, found } => WitnessReport {
+            point: point.as_ref().map(point_text).unwrap_or_default(),
+            values: [Some(found), Some(claimed)],
+            because: "remainder",
+        },
+    }
+}
+
+fn point_text(point: &Point) -> BTreeMap<String, String> {
+    let numbers = point.numbers.iter().map(|(name, value)| (name.to_string(), value.to_string()));
+    let functions = point
+        .functions
+        .iter()
+        .map(|(name, (argument, body))| (format!("{name}({argument})"), body.to_string()));
+    numbers.chain(functions).collect()
+}
+
+/// A value for the reader: exact, or the digits on which the ends of the enclosure agree.
+fn value_text(value: &Value) -> Option<String> {
+    match value {
+        Value::Undefined => None,
+        Value::PlusInfinity => Some("+inf".into()),
+        Value::MinusInfinity => Some("-inf".into()),
+        Value::Finite { low, high } if low == high => Some(low.to_string()),
+        Value::Finite { low, high } => {
+            let ends = (to_rug(low), to_rug(high));
+            let low = Interval::from_rational(&ends.0, SHOWN_BITS);
+            let high = Interval::from_rational(&ends.1, SHOWN_BITS);
+            Some(low.hull(&high).to_decimal(SHOWN_DIGITS))
+        }
+    }
+}
+
+/// Digits of a witness's values that a reader is shown, and bits that hold them.
+const SHOWN_DIGITS: u32 = 17;
+const SHOWN_BITS: u32 = 80;
+
+fn kind(statement: &Statement) -> Kind {
+    match statement {
+        Statement::All(parts) => {
+            parts.iter().map(kind).find(|kind| *kind == Kind::Expansion).unwrap_or_else(|| {
+                parts.first().map(kind).unwrap_or(Kind::Words)
+            })
+        }
+        Statement::Chain { links, .. } => {
+            if links.iter().any(|(relation, right)| is_expansion(*relation, right)) {
+                Kind::Expansion
+            } else if links.iter().all(|(relation, _)| *relation == Relation::Equal) {
+                Kind::Identity
+            } else {
+                Kind::Inequality
+            }
+        }
+        Statement::Definition { .. } => Kind::Definition,
+        Statement::Conditional { .. } => Kind::Identity,
+        Statement::Words | Statement::Empty => Kind::Words,
+    }
+}
