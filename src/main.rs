@@ -1,1 +1,7 @@
-fn main() {}
+//! The command line of claimcheck; all of it is in the library.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    claimcheck::cli::main()
+}

@@ -1,1 +1,21 @@
+//! What a run found, as text for people and as JSON, JUnit and SARIF for programs; errors with their place.
 //!
+//! Every format is a function from a [`crate::corpus::Run`] to a `String`. Colours are written as
+//! terminal escapes; the stream that prints a report takes them out where no terminal reads it.
+
+pub mod diagnostic;
+
+#[cfg(feature = "engine")]
+pub mod errata;
+#[cfg(feature = "engine")]
+pub mod human;
+#[cfg(feature = "engine")]
+pub mod json;
+#[cfg(feature = "engine")]
+pub mod junit;
+#[cfg(feature = "engine")]
+mod latex;
+#[cfg(feature = "engine")]
+pub mod sarif;
+#[cfg(feature = "engine")]
+mod tally;

@@ -1,0 +1,71 @@
+//! `claimcheck check`: the main job.
+
+use super::judging::Judging;
+use super::output::{Exit, Failure, to_stdout};
+use crate::corpus::Run;
+use crate::report::human::{self, Rows};
+use crate::report::{json, junit, sarif};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Judges the claims of a book and compares the verdicts with what is expected
+#[derive(Debug, Args)]
+pub(super) struct Check {
+    /// Chapters, or folders of chapters [default: proofs]
+    #[arg(value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Only the claims with these ids
+    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
+    only: Vec<String>,
+    #[command(flatten)]
+    judging: Judging,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Human,
+    Json,
+    Junit,
+    Sarif,
+}
+
+impl Check {
+    pub(super) fn run(self) -> Result<Exit, Failure> {
+        let run = self.judging.run(&self.paths, self.only)?;
+        let rows = if self.judging.quiet {
+            Rows::Unexpected
+        } else {
+            Rows::All
+        };
+        to_stdout(&render(&run, self.format, rows)?)?;
+        Ok(exit(&run))
+    }
+}
+
+fn render(run: &Run, format: Format, rows: Rows) -> Result<String, Failure> {
+    match format {
+        Format::Human => Ok(human::render(run, rows)),
+        Format::Json => json::render(run).map_err(unwritable),
+        Format::Junit => junit::render(run).map_err(unwritable),
+        Format::Sarif => sarif::render(run).map_err(unwritable),
+    }
+}
+
+/// A format that cannot hold the report: a fault of ours.
+pub(super) fn unwritable(error: impl std::fmt::Display) -> Failure {
+    Failure {
+        exit: Exit::Internal,
+        ..Failure::input(&format!("the report cannot be written: {error}"), None)
+    }
+}
+
+/// 0 where every claim is as expected, else 1.
+pub(super) fn exit(run: &Run) -> Exit {
+    if run.reports.iter().all(|report| report.as_expected) {
+        Exit::AsExpected
+    } else {
+        Exit::NotAsExpected
+    }
+}

@@ -1,0 +1,249 @@
+//! `claimcheck eval EXPR`: a value with rigorous digits.
+
+use super::check::unwritable;
+use super::output::{Exit, Failure, to_stdout};
+use crate::evaluate::{self, Context, Outcome};
+use crate::formula::{
+    Budget, Draw, Formula, Name, Part, Point, Substitution, free_names, parse_formula, parse_law,
+};
+use crate::number::convert::from_rug;
+use clap::{Args, ValueEnum};
+use std::collections::BTreeSet;
+
+/// Evaluates a formula: digits that are proved, and the closed form where there is one
+#[derive(Debug, Args)]
+pub(super) struct Eval {
+    /// The formula, as in claims
+    #[arg(value_name = "EXPR", allow_hyphen_values = true)]
+    formula: String,
+    /// Values of names: k=5,n=10^3
+    #[arg(long, value_name = "NAME=EXPR,...")]
+    set: Vec<String>,
+    /// A draw for mean, var and prob: x ~ beta(2, 3)
+    #[arg(long, value_name = "NAME ~ LAW")]
+    draw: Vec<String>,
+    /// Digits of the value
+    #[arg(long, value_name = "D", default_value_t = 50,
+        value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    digits: u32,
+    /// Counted steps that may be spent
+    #[arg(long, value_name = "N", default_value_t = 1_000_000_000)]
+    budget: u64,
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Human,
+    Json,
+}
+
+/// What a formula came to.
+#[derive(serde::Serialize)]
+struct Answer {
+    formula: String,
+    /// The proved digits, `+inf`, `-inf`, or null where there is no value.
+    value: Option<String>,
+    /// The closed form.
+    exact: Option<String>,
+}
+
+impl Eval {
+    pub(super) fn run(self) -> Result<Exit, Failure> {
+        let formula = parse(&self.formula, "EXPR")?;
+        let budget = Budget::new(self.budget);
+        let settings = self.set.iter().flat_map(|set| split_at_commas(set));
+        let settings = settings
+            .map(|set| setting(set, &budget))
+            .collect::<Result<Vec<_>, _>>()?;
+        let draws = self
+            .draw
+            .iter()
+            .map(|draw| read_draw(draw))
+            .collect::<Result<Vec<_>, _>>()?;
+        let given = Given::new(&formula, settings, draws)?;
+        let answer = given.evaluate(self.digits, &budget)?;
+        to_stdout(&match self.format {
+            Format::Human => human(&answer),
+            Format::Json => serde_json::to_string_pretty(&answer).map_err(unwritable)? + "\n",
+        })?;
+        Ok(Exit::AsExpected)
+    }
+}
+
+fn parse(text: &str, argument: &str) -> Result<Formula, Failure> {
+    parse_formula(text).map_err(|error| Failure::at(argument, text, &error))
+}
+
+/// The parts between the commas that are in no bracket.
+fn split_at_commas(text: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut parts) = (0, 0, Vec::new());
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(&text[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&text[start..]);
+    parts
+}
+
+/// `NAME=EXPR`; a rational value is worked out, any other stays a formula.
+fn setting(text: &str, budget: &Budget) -> Result<(Name, Formula), Failure> {
+    let Some((name, value)) = text.split_once('=') else {
+        let hint = Some("write --set k=5,n=10^3");
+        return Err(Failure::input(&format!("`{text}` sets no name"), hint));
+    };
+    let formula = parse(value, "--set")?;
+    if let Some(free) = free_names(&formula).first() {
+        let message = format!("the value of `{}` needs `{free}`", name.trim());
+        return Err(Failure::input(&message, Some("values hold numbers only")));
+    }
+    let (point, draws) = (Point::default(), []);
+    let context = Context {
+        point: &point,
+        draws: &draws,
+        budget,
+    };
+    let exact = match evaluate::exact(&formula, &context) {
+        Ok(Outcome::Value(exact)) => exact.as_rational(),
+        _ => None,
+    };
+    let number = exact.map(|rational| Formula::Number(from_rug(&rational)));
+    Ok((name.trim().into(), number.unwrap_or(formula)))
+}
+
+/// `NAME ~ LAW`
+fn read_draw(text: &str) -> Result<Draw, Failure> {
+    let Some((name, law)) = text.split_once('~') else {
+        let hint = Some("write --draw 'x ~ beta(2, 3)'");
+        return Err(Failure::input(&format!("`{text}` is no draw"), hint));
+    };
+    let law = parse_law(law).map_err(|error| Failure::at("--draw", law, &error))?;
+    Ok(Draw {
+        name: name.trim().into(),
+        law,
+    })
+}
+
+/// A formula of which all names have values or laws.
+struct Given {
+    formula: Formula,
+    point: Point,
+    draws: Vec<Draw>,
+}
+
+impl Given {
+    fn new(
+        formula: &Formula,
+        settings: Vec<(Name, Formula)>,
+        draws: Vec<Draw>,
+    ) -> Result<Given, Failure> {
+        let mut point = Point::default();
+        let mut symbolic = Substitution::new();
+        for (name, value) in settings {
+            match value {
+                Formula::Number(number) => {
+                    point.numbers.insert(name, number);
+                }
+                other => symbolic.value(name, other),
+            }
+        }
+        let too_large = |error| Failure::input(&format!("{error}"), None);
+        let law = |draw: Draw| {
+            let law = symbolic.law(&draw.law)?;
+            Ok(Draw { law, ..draw })
+        };
+        let given = Given {
+            formula: symbolic.formula(formula).map_err(too_large)?,
+            draws: draws
+                .into_iter()
+                .map(law)
+                .collect::<Result<_, _>>()
+                .map_err(too_large)?,
+            point,
+        };
+        match given.unknown().first() {
+            None => Ok(given),
+            Some(name) => Err(Failure::input(
+                &format!("`{name}` has no value"),
+                Some(&format!("add --set {name}=... or --draw '{name} ~ ...'")),
+            )),
+        }
+    }
+
+    /// Names in the formula that have neither a value nor a law, and names in laws without a value.
+    fn unknown(&self) -> BTreeSet<Name> {
+        let valued = |name: &Name| self.point.numbers.contains_key(name);
+        let drawn = |name: &Name| self.draws.iter().any(|draw| draw.name == *name);
+        let in_laws = self
+            .draws
+            .iter()
+            .flat_map(|draw| Part::Law(&draw.law).free_names());
+        let mut unknown: BTreeSet<Name> = in_laws.filter(|name| !valued(name)).collect();
+        let free = free_names(&self.formula);
+        unknown.extend(
+            free.into_iter()
+                .filter(|name| !valued(name) && !drawn(name)),
+        );
+        unknown
+    }
+
+    fn evaluate(&self, digits: u32, budget: &Budget) -> Result<Answer, Failure> {
+        let context = Context {
+            point: &self.point,
+            draws: &self.draws,
+            budget,
+        };
+        let exact = match evaluate::exact(&self.formula, &context) {
+            Ok(Outcome::Value(exact)) => Some(exact.to_string()),
+            _ => None,
+        };
+        let value = match evaluate::ladder(&self.formula, &context, digits) {
+            Ok(Outcome::Value(interval)) => Some(interval.to_decimal(digits as usize)),
+            Ok(Outcome::PlusInfinity) => Some("+inf".to_owned()),
+            Ok(Outcome::MinusInfinity) => Some("-inf".to_owned()),
+            Ok(Outcome::Undefined) => None,
+            Err(failure) => return Err(untold(&failure.to_string())),
+        };
+        Ok(Answer {
+            formula: self.formula.to_string(),
+            value,
+            exact,
+        })
+    }
+}
+
+/// The value cannot be told: no error of the user's, no fault of the program.
+fn untold(reason: &str) -> Failure {
+    Failure {
+        exit: Exit::NotAsExpected,
+        ..Failure::input(&format!("the value cannot be told: {reason}"), None)
+    }
+}
+
+fn human(answer: &Answer) -> String {
+    let value = answer.value.as_deref().unwrap_or("no value");
+    match &answer.exact {
+        Some(exact) if exact != value => format!("{value}\n= {exact}\n"),
+        _ => format!("{value}\n"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::split_at_commas;
+
+    #[test]
+    fn commas_inside_brackets_do_not_part() {
+        assert_eq!(split_at_commas("k=5,n=beta(2,3)"), ["k=5", "n=beta(2,3)"]);
+        assert_eq!(split_at_commas(""), [""]);
+        assert_eq!(split_at_commas("a=1)),b=(2"), ["a=1)),b=(2"]);
+    }
+}

@@ -1,0 +1,116 @@
+//! What all commands that judge a book have in common: their options, the run, its progress bar.
+
+use super::library::open;
+use super::output::{Exit, Failure};
+use crate::book::{Book, Claim};
+use crate::corpus::{self, Options, Run};
+use crate::judge::{self, Settings};
+use crate::report::diagnostic;
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::path::PathBuf;
+use std::sync::Once;
+use std::time::{Duration, Instant};
+
+/// A run that takes longer shows a progress bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Which claims are judged, and how hard.
+#[derive(Debug, Args)]
+pub(super) struct Judging {
+    /// Threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// Seed of all random points
+    #[arg(long, value_name = "S", default_value_t = Settings::default().seed)]
+    seed: u64,
+    /// Digits to which enclosures must agree
+    #[arg(long, value_name = "D", default_value_t = Settings::default().digits,
+        value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    digits: u32,
+    /// Counted steps that a claim may spend
+    #[arg(long, value_name = "N", default_value_t = Settings::default().budget)]
+    budget: u64,
+    /// No progress bar; of the claims only those that are not as expected
+    #[arg(long, short)]
+    pub(super) quiet: bool,
+}
+
+impl Judging {
+    /// Judges the claims of the book under `paths`: those that `only` names, or all.
+    pub(super) fn run(&self, paths: &[PathBuf], only: Vec<String>) -> Result<Run, Failure> {
+        let book = open(paths)?;
+        let settings = Settings {
+            seed: self.seed,
+            digits: self.digits,
+            budget: self.budget,
+            ..Settings::default()
+        };
+        let options = Options {
+            only,
+            jobs: self.jobs.unwrap_or(0).into(),
+        };
+        let count = corpus::chosen(&book, &options.only).map_err(failure)?.len();
+        let bar = Bar::new(count, self.quiet);
+        let judge = |claim: &Claim| judge::judge(claim, previous(&book, claim), &settings);
+        let reports = corpus::run(&book, &options, judge, |done| bar.show(done));
+        bar.bar.finish_and_clear();
+        Ok(Run {
+            reports: reports.map_err(failure)?,
+            seed: settings.seed,
+            digits: settings.digits,
+        })
+    }
+}
+
+/// The claim that this one goes on from.
+fn previous<'a>(book: &'a Book, claim: &Claim) -> Option<&'a Claim> {
+    let id = claim.after.as_ref()?;
+    book.claims.iter().find(|other| other.id == *id)
+}
+
+fn failure(error: corpus::Error) -> Failure {
+    let hint = match &error {
+        corpus::Error::UnknownId { nearest, .. } => {
+            nearest.as_ref().map(|id| format!("did you mean `{id}`?"))
+        }
+        _ => None,
+    };
+    let exit = match error {
+        corpus::Error::UnknownId { .. } => Exit::Input,
+        corpus::Error::Internal { .. } | corpus::Error::Threads(_) => Exit::Internal,
+    };
+    let text = diagnostic::plain(&error.to_string(), hint.as_deref());
+    Failure { exit, text }
+}
+
+/// A progress bar on stderr, if that is a terminal, from the second second on.
+struct Bar {
+    bar: ProgressBar,
+    quiet: bool,
+    started: Instant,
+    shown: Once,
+}
+
+impl Bar {
+    fn new(count: usize, quiet: bool) -> Bar {
+        let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::hidden());
+        let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} claims, {eta} left");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Bar {
+            bar,
+            quiet,
+            started: Instant::now(),
+            shown: Once::new(),
+        }
+    }
+
+    fn show(&self, done: usize) {
+        if !self.quiet && self.started.elapsed() > PATIENCE {
+            self.shown
+                .call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
+        }
+        // Threads may report out of order; the bar never goes back.
+        self.bar.set_position(self.bar.position().max(done as u64));
+    }
+}

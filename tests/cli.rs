@@ -1,0 +1,355 @@
+//! The program from outside: exit codes, what goes where, what a pipe sees.
+#![cfg(feature = "engine")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const RIGHT: &str = "\
+# Right
+
+```claim right-1
+given  int k with k >= 2
+says   1/(k-1) - 1/k == 1/(k*(k-1))
+```
+
+```claim right-2
+given  real x > 0
+says   ln(x^2) == 2*ln(x)
+```
+";
+
+const WRONG: &str = "\
+# Wrong
+
+```claim wrong-1
+given  int k with k >= 1
+says   k^2 == 2*k
+```
+";
+
+const PINNED: &str = "\
+```claim pinned-1
+given  int k with k >= 1
+says   k/(k-1) == 1 + 1/(k-1) - 1/k
+mend   k/(k-1) == 1 + 1/(k-1)
+needs  k >= 2
+expect printed refuted statement, mended proved
+```
+";
+
+fn program() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_claimcheck"))
+}
+
+/// A folder of this name with one chapter.
+fn book(name: &str, chapter: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).expect("the folder for temporary files is there");
+    fs::write(folder.join("chapter.md"), chapter).expect("it can be written to");
+    folder
+}
+
+struct Seen {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+fn see(output: Output) -> Seen {
+    let text = |bytes| String::from_utf8(bytes).expect("output is UTF-8");
+    let seen = Seen {
+        code: output.status.code(),
+        out: text(output.stdout),
+        err: text(output.stderr),
+    };
+    assert!(
+        !seen.out.contains('\u{1b}') && !seen.err.contains('\u{1b}'),
+        "colours in a pipe"
+    );
+    assert!(!seen.err.contains("internal fault"), "{}", seen.err);
+    seen
+}
+
+fn run(arguments: &[&str]) -> Seen {
+    see(program()
+        .args(arguments)
+        .output()
+        .expect("the program starts"))
+}
+
+fn check(folder: &Path, options: &[&str]) -> Seen {
+    let output = program().arg("check").arg(folder).args(options).output();
+    see(output.expect("the program starts"))
+}
+
+#[test]
+fn help_is_no_error_and_no_command_is() {
+    let help = run(&["--help"]);
+    assert_eq!(help.code, Some(0));
+    assert!(help.out.contains("check") && help.err.is_empty());
+    let nothing = run(&[]);
+    assert_eq!(nothing.code, Some(2));
+    assert!(nothing.out.is_empty() && nothing.err.contains("Usage"));
+    assert_eq!(run(&["check", "--jobs", "0"]).code, Some(2));
+    assert_eq!(run(&["check", "--digits", "0"]).code, Some(2));
+}
+
+#[test]
+fn a_book_that_is_right() {
+    let seen = check(&book("right", RIGHT), &[]);
+    assert_eq!(seen.code, Some(0), "{}{}", seen.out, seen.err);
+    assert!(seen.out.contains("2 claims: 2 certified"), "{}", seen.out);
+    assert!(
+        seen.out.contains("all as expected (seed 1, 50 digits)"),
+        "{}",
+        seen.out
+    );
+    assert!(seen.err.is_empty(), "{}", seen.err);
+    for line in seen.out.lines().filter(|line| !line.contains(".md")) {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+}
+
+#[test]
+fn a_book_with_a_wrong_claim() {
+    let folder = book("wrong", WRONG);
+    let seen = check(&folder, &[]);
+    assert_eq!(seen.code, Some(1));
+    assert!(seen.out.contains("1 not as expected"), "{}", seen.out);
+    assert!(
+        seen.out.contains("k = 1"),
+        "the smallest witness: {}",
+        seen.out
+    );
+    let explained = see(program()
+        .args(["explain", "wrong-1"])
+        .arg(&folder)
+        .output()
+        .expect("starts"));
+    assert_eq!(explained.code, Some(1));
+    assert!(explained.out.contains("k^2 == 2*k"), "{}", explained.out);
+}
+
+#[test]
+fn a_wrong_claim_that_is_expected() {
+    let folder = book("pinned", PINNED);
+    let seen = check(&folder, &[]);
+    assert_eq!(seen.code, Some(0), "{}{}", seen.out, seen.err);
+    let quiet = check(&folder, &["--quiet"]);
+    assert!(!quiet.out.contains("pinned-1"), "{}", quiet.out);
+    let sheet = see(program()
+        .arg("errata")
+        .arg(&folder)
+        .output()
+        .expect("starts"));
+    assert_eq!(sheet.code, Some(0));
+    assert!(
+        sheet.out.contains("## Wrong statements\n\n### pinned-1"),
+        "{}",
+        sheet.out
+    );
+    let latex = see(program()
+        .args(["errata", "--format", "latex"])
+        .arg(&folder)
+        .output()
+        .expect("starts"));
+    assert!(latex.out.starts_with("\\documentclass"), "{}", latex.out);
+}
+
+/// The JSON of a run without its times, which are the only thing that may differ.
+fn timeless(folder: &Path, options: &[&str]) -> serde_json::Value {
+    let seen = check(folder, options);
+    let mut value: serde_json::Value = serde_json::from_str(&seen.out).expect("is JSON");
+    for claim in value["claims"].as_array_mut().expect("an array") {
+        claim["seconds"] = 0.into();
+    }
+    value
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_report() {
+    let folder = book("threads", &[RIGHT, WRONG, PINNED].join("\n"));
+    let one = timeless(&folder, &["--format", "json", "--jobs", "1"]);
+    let many = timeless(&folder, &["--format", "json", "--jobs", "8"]);
+    assert_eq!(one, many);
+    assert_eq!(one["claims"].as_array().map(Vec::len), Some(4));
+    assert_eq!(one["summary"]["not_as_expected"], 1);
+}
+
+#[test]
+fn other_formats() {
+    let folder = book("formats", &[RIGHT, WRONG].join("\n"));
+    let junit = check(&folder, &["--format", "junit"]);
+    assert!(
+        junit.out.starts_with("<?xml") && junit.out.contains("failures=\"1\""),
+        "{}",
+        junit.out
+    );
+    let sarif = check(&folder, &["--format", "sarif"]);
+    let value: serde_json::Value = serde_json::from_str(&sarif.out).expect("is JSON");
+    assert_eq!(value["runs"][0]["results"][0]["ruleId"], "refuted");
+}
+
+#[test]
+fn only_some_claims() {
+    let folder = book("only", &[RIGHT, WRONG].join("\n"));
+    assert_eq!(check(&folder, &["--only", "right-1,right-2"]).code, Some(0));
+    let unknown = check(&folder, &["--only", "rigt-1"]);
+    assert_eq!(unknown.code, Some(2));
+    assert!(
+        unknown.err.contains("did you mean `right-1`?"),
+        "{}",
+        unknown.err
+    );
+}
+
+#[test]
+fn without_a_book() {
+    let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("nowhere");
+    fs::create_dir_all(&nowhere).expect("can be made");
+    let seen = see(program()
+        .arg("check")
+        .current_dir(&nowhere)
+        .output()
+        .expect("starts"));
+    assert_eq!(seen.code, Some(2));
+    assert!(
+        seen.err.contains("proofs") && seen.err.contains("help:"),
+        "{}",
+        seen.err
+    );
+    assert_eq!(
+        check(&nowhere, &[]).code,
+        Some(2),
+        "a folder without claims"
+    );
+    let missing = check(&nowhere.join("missing.md"), &[]);
+    assert_eq!(missing.code, Some(2));
+    assert!(missing.err.contains("missing.md"), "{}", missing.err);
+}
+
+#[test]
+fn errors_show_their_place() {
+    let text = "# A\n\n```claim a\ngiven  int k\nsays   2k == 3\n```\n";
+    let seen = check(&book("place", text), &[]);
+    assert_eq!(seen.code, Some(2));
+    assert!(seen.out.is_empty());
+    for part in [
+        "chapter.md:5:8",
+        "says   2k == 3",
+        "^^",
+        "help: write `2*k`",
+    ] {
+        assert!(seen.err.contains(part), "no {part} in {}", seen.err);
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let folder = book("bytes", RIGHT);
+    fs::write(folder.join("other.md"), [0xff, 0xfe, b'\n']).expect("can be written");
+    let seen = check(&folder, &[]);
+    assert_eq!(seen.code, Some(2));
+    assert!(seen.err.contains("other.md"), "{}", seen.err);
+}
+
+#[test]
+fn a_reader_who_leaves_early_is_no_fault() {
+    let folder = book("pipe", RIGHT);
+    let mut child = program()
+        .args(["check", "--format", "json"])
+        .arg(&folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let seen = see(child.wait_with_output().expect("the program ends"));
+    assert_eq!(seen.code, Some(0));
+    assert!(seen.err.is_empty(), "{}", seen.err);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let full = fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .expect("Linux has it");
+    let output = program()
+        .arg("check")
+        .arg(book("full", RIGHT))
+        .stdout(full)
+        .output();
+    let seen = see(output.expect("the program starts"));
+    assert_eq!(seen.code, Some(2));
+    assert!(seen.err.contains("cannot be written"), "{}", seen.err);
+}
+
+#[test]
+fn values_with_proved_digits() {
+    let third = run(&["eval", "1/3", "--digits", "5"]);
+    assert_eq!((third.code, &*third.out), (Some(0), "0.33333\n= 1/3\n"));
+    let log = run(&["eval", "k*ln(k/(k-1))", "--set", "k=2", "--digits", "20"]);
+    assert_eq!(
+        (log.code, &*log.out),
+        (Some(0), "1.3862943611198906188\n= 2*ln(2)\n")
+    );
+    let mean = run(&["eval", "mean(1/x)", "--draw", "x ~ beta(2, 3)"]);
+    assert_eq!((mean.code, &*mean.out), (Some(0), "4\n"));
+    let none = run(&["eval", "1/(k-1)", "--set", "k=1"]);
+    assert_eq!((none.code, &*none.out), (Some(0), "no value\n"));
+    let json = run(&["eval", "pi", "--digits", "3", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&json.out).expect("is JSON");
+    assert_eq!(value["value"], "3.14");
+}
+
+#[test]
+fn what_cannot_be_evaluated_is_told() {
+    let unset = run(&["eval", "k + n", "--set", "k=2"]);
+    assert_eq!(unset.code, Some(2));
+    assert!(unset.err.contains("`n` has no value"), "{}", unset.err);
+    assert_eq!(run(&["eval", "2k"]).code, Some(2));
+    assert_eq!(run(&["eval", "k", "--set", "k"]).code, Some(2));
+    assert_eq!(run(&["eval", "k", "--set", "k=n"]).code, Some(2));
+    assert_eq!(run(&["eval", "k", "--draw", "k"]).code, Some(2));
+    let huge = run(&["eval", "2^2^100"]);
+    assert_eq!(huge.code, Some(1));
+    assert!(huge.err.contains("cannot be told"), "{}", huge.err);
+    let deep = "(".repeat(100_000);
+    assert_eq!(run(&["eval", &deep]).code, Some(2));
+}
+
+#[test]
+fn witnesses_are_replayed_by_the_kernel() {
+    let folder = book("recheck", &[WRONG, PINNED].join("\n"));
+    let report = check(&folder, &["--format", "json"]).out;
+    let recheck = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect("can be written");
+        see(program()
+            .arg("recheck")
+            .arg(&path)
+            .arg(&folder)
+            .output()
+            .expect("starts"))
+    };
+    let good = recheck("good.json", &report);
+    assert_eq!(good.code, Some(0), "{}{}", good.out, good.err);
+    assert!(
+        good.out
+            .contains("2 witnesses replayed by the kernel, 0 failed"),
+        "{}",
+        good.out
+    );
+    // At k = 2 the wrong claim holds: an altered witness is found out.
+    let altered = recheck(
+        "altered.json",
+        &report.replace("\"k\": \"1\"", "\"k\": \"2\""),
+    );
+    assert_eq!(altered.code, Some(1), "{}", altered.out);
+    let truncated = recheck("truncated.json", &report[..report.len() / 2]);
+    assert_eq!(truncated.code, Some(2));
+    assert!(truncated.err.contains("not a report"), "{}", truncated.err);
+}
