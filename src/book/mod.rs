@@ -5,6 +5,7 @@
 //! [`Claim::printed`] and [`Claim::mended`] unfold it to the proposition that is judged.
 
 mod expect;
+mod files;
 mod line;
 mod markdown;
 mod read;

@@ -2,6 +2,7 @@
 
 use super::line::{Item, Keyword, Line};
 use super::resolve::{Symbol, Symbols, of_definition, of_parameter};
+use super::unfold::has_expansion;
 use super::{Claim, Needs, Scope};
 use crate::formula::parser::{Given, Mention};
 use crate::formula::{Diagnostic, Draw, Name, Span, Statement};
@@ -156,7 +157,8 @@ fn contradictions(claim: &Claim, lines: &[Arc<Line>]) -> Vec<Located> {
             "a verdict on the mended statement is expected, but there is neither `mend` nor `needs`",
         );
     }
-    if claim.read.is_some() && !has_regime_place(&claim.says) {
+    let expands = has_expansion(&claim.says) || claim.mend.as_ref().is_some_and(has_expansion);
+    if claim.read.is_some() && !expands {
         refuse(Keyword::Read, "there is no expansion that could be read so");
     }
     if matches!(claim.says, Statement::Conditional { .. }) {
@@ -168,14 +170,6 @@ fn contradictions(claim: &Claim, lines: &[Arc<Line>]) -> Vec<Located> {
         }
     }
     errors
-}
-
-fn has_regime_place(statement: &Statement) -> bool {
-    match statement {
-        Statement::Chain { .. } => true,
-        Statement::All(items) => items.iter().any(has_regime_place),
-        _ => false,
-    }
 }
 
 /// A scope under construction.

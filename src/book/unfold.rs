@@ -114,8 +114,9 @@ impl Claim {
         mended: bool,
     ) -> Result<Proposition, IllTyped> {
         let needs = self.needs.as_ref().filter(|_| mended);
-        if let (Statement::Conditional { condition, .. }, Some(target)) =
+        if let (Statement::Conditional { id, condition }, Some(target)) =
             (statement, &self.places.target)
+            && target.id == *id
         {
             return self.conditional(condition, target, place, needs.map(|n| &n.condition));
         }
@@ -321,6 +322,15 @@ fn with_regime(statement: &Statement, read: Option<&Regime>) -> Statement {
             Statement::All(items.iter().map(|item| with_regime(item, read)).collect())
         }
         other => other.clone(),
+    }
+}
+
+/// Whether there is an expansion in the statement, for a `read` line to be about.
+pub(super) fn has_expansion(statement: &Statement) -> bool {
+    match statement {
+        Statement::Chain { links, .. } => expands(links),
+        Statement::All(items) => items.iter().any(has_expansion),
+        _ => false,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Calls: known functions, sums and integrals, derivatives, limits, means, and functions of the scope.
 
-use super::{MentionKind, Node, Parser, power};
+use super::expression::{Node, power};
+use super::{MentionKind, Parser};
 use crate::formula::{
     Diagnostic, Draw, Formula, Function, Name, RangeKind, Ranged, Span, lexer::Token,
 };

@@ -3,7 +3,8 @@
 //! Outside brackets `and` joins statements; a condition's own `and` stands in brackets, or after
 //! `ID if`, which therefore takes all that follows and comes last.
 
-use super::{MentionKind, Node, Parser, RELATION, Value, power};
+use super::expression::{Node, Value, power};
+use super::{MentionKind, Parser, RELATION};
 use crate::formula::{
     Diagnostic, Duty, Formula, Name, Regime, Relation, Span, Statement, Target, Tendency,
     lexer::{Token, lex},
