@@ -32,8 +32,9 @@ const DOUBLINGS: u32 = 4;
 /// Bits of the arguments' own accuracy that a result is allowed to lose before it is repeated.
 const LOSS: i64 = 16;
 
-/// From this c - a - b on, the plain series is tried before the connection to 1 - z.
-const LARGE_EXCESS: u32 = 32;
+/// Where (|a| + |b| + |c|)(1-z) is larger, the terms of the connection to 1 - z grow to about
+/// e to this power before they fall, and the plain series is tried first.
+const LARGE: u32 = 64;
 
 /// A repetition that gains fewer bits than this is the last.
 const WORTHWHILE: i64 = 8;
@@ -221,8 +222,8 @@ fn right_of_zero(p: &Parameters, z: &Interval, rest: &Interval) -> Result<Interv
     if *z.high() <= 0.75 {
         return series::infinite(p, z);
     }
-    // A large c - a - b makes the first terms fall fast, and the connection cancel.
-    if *p.excess().low() > LARGE_EXCESS
+    let size = p.a.abs().add(&p.b.abs()).add(&p.c.abs());
+    if *size.mul(rest).high() > LARGE
         && let Ok(value) = series::infinite(p, z)
     {
         return Ok(value);
