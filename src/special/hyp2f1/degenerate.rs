@@ -61,7 +61,7 @@ fn logarithmic(p: &Parameters, u: &Interval, m: u32) -> Result<Interval, DomainE
     let one = Interval::from_i64(1, p.precision());
     let upper = shift.add(&one);
     let scale = gamma_quotient(
-        &[p.c.clone()],
+        std::slice::from_ref(&p.c),
         &[p.a.clone(), p.b.clone(), upper.clone()],
         p.precision(),
     )?;

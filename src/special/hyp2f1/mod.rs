@@ -65,6 +65,12 @@ impl Parameters {
         }
     }
 
+    /// Whether a wide parameter may end the series, at a degree that cannot be told.
+    fn may_end_unseen(&self) -> bool {
+        let unseen = |x| may_be_pole(x) && nonpositive_integer(x).is_none();
+        unseen(&self.a) || unseen(&self.b)
+    }
+
     /// Whether the series may end.
     fn may_terminate(&self) -> bool {
         may_be_pole(&self.a) || may_be_pole(&self.b)
@@ -123,7 +129,7 @@ pub fn hyp2f1_regularized(
     let working = exact_precision(&[a, b, c], precision) + GUARD;
     let [a, b, c, z] = widen([a, b, c, z], working);
     let Some(n) = nonpositive_integer(&c) else {
-        let scale = gamma_quotient(&[], &[c.clone()], working)?;
+        let scale = gamma_quotient(&[], std::slice::from_ref(&c), working)?;
         let value = hyp2f1(&a, &b, &c, &z, working)?.mul(&scale);
         return Ok(value.with_precision(precision));
     };
@@ -161,9 +167,8 @@ fn attempt(p: &Parameters, z: &Interval) -> Result<Interval, DomainError> {
     if let Some(m) = nonpositive_integer(&p.c) {
         return match p.degree() {
             Some(n) if n <= m => series::polynomial(p, z, &n),
-            Some(_) => Err(DomainError::Certain),
-            None if p.may_terminate() => Err(DomainError::Possible),
-            None => Err(DomainError::Certain),
+            _ if p.may_end_unseen() => Err(DomainError::Possible),
+            _ => Err(DomainError::Certain),
         };
     }
     if may_be_pole(&p.c) {

@@ -148,6 +148,12 @@ fn beyond_the_unit_interval() {
     assert!(integer(-2, 3, 2, &q(4, 1), 60).is_ok_and(|f| f.contains_rational(&q(21, 1))));
     let around_one = Interval::from_rational(&q(1, 3), 60).mul(&Interval::from_i64(3, 60));
     let [one, two] = [1, 2].map(|n| Interval::from_i64(n, 60));
+    // b may be -1, which would end the series before c = -3 is reached.
+    let [five, three] = [-5, -3].map(|n| Interval::from_i64(n, 60));
+    assert_eq!(
+        hyp2f1(&five, &around_one.neg(), &three, &one, 60),
+        Err(DomainError::Possible)
+    );
     assert_eq!(
         hyp2f1(&one, &one, &two, &around_one, 60),
         Err(DomainError::Possible)
