@@ -284,7 +284,8 @@ fn split_mean<'d>(
         Operator::Add => Ok(finite(mean_of(a)?)?.plus(&finite(mean_of(b)?)?, bits)),
         Operator::Subtract => Ok(finite(mean_of(a)?)?.plus(&finite(mean_of(b)?)?.negated(), bits)),
         Operator::Multiply if !shared => finite(mean_of(a)?)?.times(&finite(mean_of(b)?)?, bits),
-        Operator::Divide if !shared => {
+        // A part of the draws stands above, so that the recursion ends.
+        Operator::Divide if !shared && !occurring(a).is_empty() => {
             let inverse = Formula::binary(Operator::Divide, Formula::integer(1), (**b).clone());
             finite(mean_of(a)?)?.times(&finite(mean_of(&inverse)?)?, bits)
         }
