@@ -269,6 +269,9 @@ fn split_mean<'d>(
         Formula::Negate(a) => return Ok(mean_of(a)?.negated()),
         Formula::Binary(operator, a, b) => (a, b, *operator),
         Formula::Ranged(r) if r.kind == RangeKind::Sum => {
+            if scope.is_draw(&r.name) || scope.laws_depend(&r.name) {
+                return unknown("a sum over a name that the draws know too");
+            }
             let mut sum = Value::exact(0);
             super::sums::each(r, scope, |inner| {
                 let term = mean_over(&r.body, &occurring(&r.body), inner)?;

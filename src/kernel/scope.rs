@@ -137,7 +137,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Whether the law of some draw of the scope depends on the name.
-    fn laws_depend(&self, name: &Name) -> bool {
+    pub fn laws_depend(&self, name: &Name) -> bool {
         let depends = |draw: &Draw| self.part_depends(Part::Law(&draw.law), name);
         self.draws.iter().any(depends)
     }
