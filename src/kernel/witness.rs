@@ -105,7 +105,9 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
         let found = check_domain(proposition, &scope).and_then(|()| failure(item, &scope));
         match found {
             Ok(Some(refutation)) => return Ok(refutation),
-            Ok(None) => return unknown("the link holds, or neither side has a value"),
+            Ok(None) => {
+                return unknown("the link is not seen to fail here, or neither side has a value");
+            }
             Err(why) => reason = Err(why),
         }
     }
@@ -294,47 +296,59 @@ fn duty_failure(
     duty: &Duty,
     scope: &Scope,
 ) -> Result<Option<Refutation>, Unknown> {
-    let at =
-        |place: &Interval| value_in(body, &scope.with(argument, Binding::Number(place.clone())));
+    let at = |place: &Interval| {
+        let inner = scope.with(argument, Binding::Number(place.clone()));
+        match value_in(body, &inner)? {
+            Value::Undefined => unknown("a definition without value at a place of its range"),
+            value => Ok(value),
+        }
+    };
     match duty {
         Duty::Density(from, to) => {
-            let total = Formula::Ranged(Box::new(Ranged {
-                kind: RangeKind::Integral,
-                body: body.clone(),
-                name: argument.clone(),
-                from: from.clone(),
-                to: to.clone(),
-            }));
-            for place in places(from, to, scope)? {
-                let found =
-                    at(&place).and_then(|v| compare(v, Relation::GreaterEqual, Value::exact(0)));
-                if let Ok(Some(refutation)) = found {
-                    return Ok(Some(because_of_duty(refutation)));
-                }
+            let negative_somewhere = places(from, to, scope)?.iter().find_map(|place| {
+                compare(at(place).ok()?, Relation::GreaterEqual, Value::exact(0)).ok()?
+            });
+            if let Some(found) = negative_somewhere {
+                return Ok(Some(because_of_duty(found)));
             }
-            let found = compare(value_in(&total, scope)?, Relation::Equal, Value::exact(1))?;
-            Ok(found.map(because_of_duty))
+            let total = value_in(&integral_of(body, argument, from, to), scope)?;
+            Ok(compare(total, Relation::Equal, Value::exact(1))?.map(because_of_duty))
         }
         Duty::Cumulative(from, to) => {
             let places = places(from, to, scope)?;
             let values: Vec<Value> = places.iter().map(at).collect::<Result<_, _>>()?;
-            let ends = [(values.first(), 0), (values.last(), 1)];
-            for (value, wanted) in ends {
-                let value = value.cloned().unwrap_or(Value::Undefined);
-                if let Some(found) = compare(value, Relation::Equal, Value::exact(wanted))? {
-                    return Ok(Some(because_of_duty(found)));
-                }
-            }
-            for pair in values.windows(2) {
-                let found = compare(pair[0].clone(), Relation::LessEqual, pair[1].clone());
-                if let Ok(Some(found)) = found {
-                    return Ok(Some(because_of_duty(found)));
-                }
-            }
-            unknown("no place was found where the cdf decreases")
+            cdf_failure(&values)
         }
         Duty::Agrees(_) => unknown("agreement with another claim is no point's affair"),
     }
+}
+
+/// What shows that values at increasing places are not those of a cdf from end to end.
+fn cdf_failure(values: &[Value]) -> Result<Option<Refutation>, Unknown> {
+    for pair in values.windows(2) {
+        let found = compare(pair[0].clone(), Relation::LessEqual, pair[1].clone());
+        if let Ok(Some(found)) = found {
+            return Ok(Some(because_of_duty(found)));
+        }
+    }
+    for (value, wanted) in [(values.first(), 0), (values.last(), 1)] {
+        if let Some(value) = value
+            && let Some(found) = compare(value.clone(), Relation::Equal, Value::exact(wanted))?
+        {
+            return Ok(Some(because_of_duty(found)));
+        }
+    }
+    Ok(None)
+}
+
+fn integral_of(body: &Formula, name: &Name, from: &Formula, to: &Formula) -> Formula {
+    Formula::Ranged(Box::new(Ranged {
+        kind: RangeKind::Integral,
+        body: body.clone(),
+        name: name.clone(),
+        from: from.clone(),
+        to: to.clone(),
+    }))
 }
 
 fn because_of_duty(found: Refutation) -> Refutation {
@@ -353,6 +367,9 @@ fn places(from: &Formula, to: &Formula, scope: &Scope) -> Result<Vec<Interval>, 
     let (Some(from), Some(to)) = (from, to) else {
         return unknown("a duty on a range without finite ends");
     };
+    if from.compare(&to) != Some(std::cmp::Ordering::Less) {
+        return unknown("a duty on a range whose ends are not in order");
+    }
     let width = to.minus(&from, scope.bits);
     let place = |i: i64| {
         let part = Interval::exact(Rational::new(i.into(), PLACES.into()));
@@ -364,9 +381,9 @@ fn places(from: &Formula, to: &Formula, scope: &Scope) -> Result<Vec<Interval>, 
     Ok((0..=PLACES).map(place).collect())
 }
 
-/// Whether an O or o stands anywhere in the formula.
+/// Whether an O or o, or a condition in the place of a number, stands anywhere in the formula.
 fn has_order_term(part: Part) -> bool {
-    if let Part::Formula(Formula::BigO(_) | Formula::LittleO(_)) = part {
+    if let Part::Formula(Formula::BigO(_) | Formula::LittleO(_) | Formula::Truth(_)) = part {
         return true;
     }
     let mut found = false;
