@@ -22,14 +22,19 @@ pub(super) fn holds(condition: &Condition, scope: &Scope) -> Result<bool, Unknow
             }
             all
         }
+        // No early end: a part that is false decides, even after one that is not known.
         Condition::And(parts) => {
-            let each = |all, part| both(all, holds(part, scope));
-            parts.iter().fold(Ok(true), each)
+            let mut all = Ok(true);
+            for part in parts {
+                all = both(all, holds(part, scope));
+            }
+            all
         }
         Condition::Or(parts) => {
-            let none = parts.iter().fold(Ok(true), |all, part| {
-                both(all, negation(holds(part, scope)))
-            });
+            let mut none = Ok(true);
+            for part in parts {
+                none = both(none, negation(holds(part, scope)));
+            }
             negation(none)
         }
         Condition::Not(part) => negation(holds(part, scope)),

@@ -1,7 +1,7 @@
 //! Gauss's 2F1 at rational points: a finite sum, an integral that is exact up to one logarithm, or
 //! the series with a geometric bound on its tail.
 
-use super::functions::{binomial, factorial, gamma, integer, power};
+use super::functions::{SIZE_CAP, binomial, factorial, gamma, integer, power};
 use super::integrate::integral;
 use super::interval::{Interval, Value};
 use super::polynomial::{Fraction, Polynomial};
@@ -115,6 +115,9 @@ fn euler(
     let (Some(a), Some(b), Some(rest)) = (small(a), small(b), small(&(c - b))) else {
         return Ok(None);
     };
+    if super::interval::size(z).saturating_mul(a.into()) > SIZE_CAP {
+        return unknown("hyp2f1 at too large a number");
+    }
     let bits = scope.bits;
     scope.spend(u64::from(b + rest).pow(2) * u64::from(a))?;
     let mut coefficients = vec![Interval::integer(0); b as usize - 1];

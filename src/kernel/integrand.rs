@@ -166,7 +166,18 @@ fn cuts(f: &Formula, x: &Name, scope: &Scope, out: &mut Vec<Interval>) -> Result
             }
             Ok(())
         }
-        _ => Ok(()),
+        Formula::Ranged(r) if r.kind == RangeKind::Integral => {
+            cuts(&r.from, x, scope, out)?;
+            cuts(&r.to, x, scope, out)
+        }
+        Formula::At(_, places) => places
+            .iter()
+            .try_for_each(|(_, place)| cuts(place, x, scope, out)),
+        Formula::Derivative(a, name, order) => {
+            cuts(&calculus::derived(a, name, order, scope)?, x, scope, out)
+        }
+        Formula::Name(_) => Ok(()),
+        _ => unknown("an integrand that is no rational function of its variable"),
     }
 }
 
@@ -286,9 +297,11 @@ pub(super) fn fraction(
             fraction(chosen, x, scope)
         }
         Formula::Ranged(r) => ranged(r, x, scope),
-        Formula::Derivative(a, name, order) => {
-            fraction(&calculus::derived(a, name, order, scope)?, x, scope)
-        }
+        // What is derived must have values itself.
+        Formula::Derivative(a, name, order) => match fraction(a, x, scope)? {
+            Some(_) => fraction(&calculus::derived(a, name, order, scope)?, x, scope),
+            None => Ok(None),
+        },
         Formula::At(a, places) => match places.as_slice() {
             [(name, place)] if !scope.depends(a, x.name) || name == x.name => {
                 let inner = Variable { name, sample: None };
@@ -339,7 +352,7 @@ fn binary(
     scope: &Scope,
 ) -> Result<Option<Fraction>, Unknown> {
     if operator == Operator::Power {
-        return power(a, b, x, scope);
+        return power(a, b, false, x, scope);
     }
     let left = fraction(a, x, scope)?;
     let right = match operator {
@@ -366,10 +379,7 @@ fn reciprocal(f: &Formula, x: &Variable, scope: &Scope) -> Result<Option<Fractio
                 _ => Ok(None),
             }
         }
-        Formula::Binary(Operator::Power, base, exponent) => {
-            let negated = Formula::Negate(exponent.clone());
-            power(base, &negated, x, scope)
-        }
+        Formula::Binary(Operator::Power, base, exponent) => power(base, exponent, true, x, scope),
         _ => match fraction(f, x, scope)? {
             Some(f) => f.reciprocal(scope.bits),
             None => Ok(None),
@@ -377,10 +387,11 @@ fn reciprocal(f: &Formula, x: &Variable, scope: &Scope) -> Result<Option<Fractio
     }
 }
 
-/// base^n for an integer n that does not depend on the variable.
+/// base^n, or 1/base^n, for an integer n that does not depend on the variable.
 fn power(
     base: &Formula,
     exponent: &Formula,
+    inverted: bool,
     x: &Variable,
     scope: &Scope,
 ) -> Result<Option<Fraction>, Unknown> {
@@ -395,19 +406,20 @@ fn power(
     let Some(n) = integer.and_then(|n| n.to_i32()) else {
         return unknown("a power inside an integral that is no integer power");
     };
-    let base = if n < 0 {
-        reciprocal(base, x, scope)?
-    } else {
-        fraction(base, x, scope)?
+    let Some(upright) = fraction(base, x, scope)? else {
+        return Ok(None);
     };
-    match base {
-        Some(base) => {
-            let length = base.numerator.length() as u64;
-            scope.spend(u64::from(n.unsigned_abs()).saturating_mul(length * length))?;
-            base.power(n.unsigned_abs(), scope.bits).map(Some)
-        }
-        None => Ok(None),
+    let mut factor = upright.clone();
+    if n < 0 || (inverted && n > 0) {
+        // Without a reciprocal there is no value, even where two of them would undo each other.
+        let Some(inverse) = reciprocal(base, x, scope)? else {
+            return Ok(None);
+        };
+        factor = if inverted && n < 0 { upright } else { inverse };
     }
+    let steps = u64::from(n.unsigned_abs()) * factor.numerator.length() as u64;
+    scope.spend(steps.saturating_mul(steps))?;
+    factor.power(n.unsigned_abs(), scope.bits).map(Some)
 }
 
 /// abs, min and max, decided at the sample: their cuts are ends of the piece.

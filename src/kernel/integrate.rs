@@ -15,6 +15,8 @@ use std::cmp::Ordering;
 
 /// How often a range is halved in the search for the sign of a polynomial.
 const HALVINGS: u32 = 8;
+/// The sign of no polynomial with more coefficients is looked for.
+const LENGTH_CAP: usize = 300;
 
 /// The integral of a fraction from one end to a larger one.
 pub(super) fn integral(
@@ -83,8 +85,10 @@ pub(super) fn sign_on(
     let Some(signs) = signs.as_exact() else {
         return unknown("the sign of a polynomial with coefficients that are not rational");
     };
-    let (low, high) = (from.finite(), to.finite());
-    match (low, high) {
+    if signs.len() > LENGTH_CAP {
+        return unknown("the sign of a polynomial of too high a degree");
+    }
+    match (from.finite(), to.finite()) {
         (Some(a), Some(b)) => sign_between(&signs, a.low(), Some(b.high()), HALVINGS),
         (Some(a), None) => sign_between(&signs, a.low(), None, HALVINGS),
         (None, Some(b)) => sign_between(&mirrored(&signs), &-b.high(), None, HALVINGS),

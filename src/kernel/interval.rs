@@ -173,7 +173,7 @@ impl Interval {
         if self.is_exact() {
             return Interval::exact(integer_power(&self.low, exponent));
         }
-        let base = if exponent % 2 == 0 {
+        let base = if exponent.is_multiple_of(2) {
             self.absolute()
         } else {
             self.clone()

@@ -269,6 +269,9 @@ fn split_mean<'d>(
         Formula::Negate(a) => return Ok(mean_of(a)?.negated()),
         Formula::Binary(operator, a, b) => (a, b, *operator),
         Formula::Ranged(r) if r.kind == RangeKind::Sum => {
+            if scope.is_draw(&r.name) || scope.laws_depend(&r.name) {
+                return unknown("a sum over a name that the draws know too");
+            }
             let mut sum = Value::exact(0);
             super::sums::each(r, scope, |inner| {
                 let term = mean_over(&r.body, &occurring(&r.body), inner)?;
@@ -284,7 +287,8 @@ fn split_mean<'d>(
         Operator::Add => Ok(finite(mean_of(a)?)?.plus(&finite(mean_of(b)?)?, bits)),
         Operator::Subtract => Ok(finite(mean_of(a)?)?.plus(&finite(mean_of(b)?)?.negated(), bits)),
         Operator::Multiply if !shared => finite(mean_of(a)?)?.times(&finite(mean_of(b)?)?, bits),
-        Operator::Divide if !shared => {
+        // A part of the draws stands above, so that the recursion ends.
+        Operator::Divide if !shared && !occurring(a).is_empty() => {
             let inverse = Formula::binary(Operator::Divide, Formula::integer(1), (**b).clone());
             finite(mean_of(a)?)?.times(&finite(mean_of(&inverse)?)?, bits)
         }

@@ -2,7 +2,7 @@
 
 use super::interval::Interval;
 use super::{Unknown, unknown};
-use crate::formula::{Condition, Draw, Formula, Law, Name, Point};
+use crate::formula::{Draw, Formula, Name, Part, Point};
 use std::cell::Cell;
 
 /// Steps for one value: far more than any claim needs at a small point.
@@ -94,82 +94,51 @@ impl<'a> Scope<'a> {
     /// Whether the value of a formula may depend on what the name stands for. A mean over the
     /// scope's draws binds them, and reads their laws.
     pub fn depends(&self, formula: &Formula, name: &Name) -> bool {
-        let on = |part: &Formula| self.depends(part, name);
-        match formula {
-            Formula::Number(_) | Formula::Pi | Formula::Infinity => false,
-            Formula::Name(other) => other == name,
-            Formula::Apply(_, parts) | Formula::Call(_, parts) => parts.iter().any(on),
-            Formula::Negate(a) | Formula::Factorial(a) | Formula::BigO(a) | Formula::LittleO(a) => {
-                on(a)
-            }
-            Formula::Binary(_, a, b) => on(a) || on(b),
-            Formula::Ranged(r) => on(&r.from) || on(&r.to) || (r.name != *name && on(&r.body)),
-            Formula::Antiderivative(a, x) => x == name || on(a),
-            Formula::Derivative(a, x, order) => x == name || on(a) || on(order),
-            Formula::At(a, places) | Formula::Limit(a, places) => {
-                places.iter().any(|(_, place)| on(place))
-                    || (places.iter().all(|(x, _)| x != name) && on(a))
-            }
-            Formula::Indicator(c) | Formula::Truth(c) => self.condition_depends(c, name),
-            Formula::If(c, a, b) => self.condition_depends(c, name) || on(a) || on(b),
-            Formula::Mean(a, own) | Formula::Variance(a, own) => {
-                self.drawn_depends(own.as_deref(), name) || (!self.draws_it(own, name) && on(a))
-            }
-            Formula::Probability(c, own) => {
-                self.drawn_depends(own.as_deref(), name)
-                    || (!self.draws_it(own, name) && self.condition_depends(c, name))
-            }
-            Formula::Density(a, x) | Formula::Cumulative(a, x) => {
-                on(x) || self.drawn_depends(None, name) || (!self.draws_it(&None, name) && on(a))
-            }
-        }
+        self.part_depends(Part::Formula(formula), name)
     }
 
-    pub fn condition_depends(&self, condition: &Condition, name: &Name) -> bool {
-        match condition {
-            Condition::Chain(first, links) => {
-                self.depends(first, name) || links.iter().any(|(_, f)| self.depends(f, name))
+    fn part_depends(&self, part: Part, name: &Name) -> bool {
+        if let Part::Formula(formula) = part {
+            match formula {
+                Formula::Name(other) => return other == name,
+                // A derivative is taken where its variable stands.
+                Formula::Derivative(_, x, _) | Formula::Antiderivative(_, x) if x == name => {
+                    return true;
+                }
+                Formula::Mean(_, None)
+                | Formula::Variance(_, None)
+                | Formula::Probability(_, None)
+                    if self.is_draw(name) =>
+                {
+                    return self.laws_depend(name);
+                }
+                Formula::Density(_, place) | Formula::Cumulative(_, place)
+                    if self.is_draw(name) =>
+                {
+                    return self.depends(place, name) || self.laws_depend(name);
+                }
+                Formula::Mean(_, None)
+                | Formula::Variance(_, None)
+                | Formula::Probability(_, None)
+                | Formula::Density(..)
+                | Formula::Cumulative(..)
+                    if self.laws_depend(name) =>
+                {
+                    return true;
+                }
+                _ => {}
             }
-            Condition::And(parts) | Condition::Or(parts) => {
-                parts.iter().any(|part| self.condition_depends(part, name))
-            }
-            Condition::Not(part) => self.condition_depends(part, name),
         }
+        let mut found = false;
+        part.each(&mut |inner, bound| {
+            found = found || (!bound.contains(&name) && self.part_depends(inner, name));
+        });
+        found
     }
 
-    /// Whether a mean makes a draw of the name.
-    fn draws_it(&self, own: &Option<Box<Draw>>, name: &Name) -> bool {
-        match own {
-            Some(draw) => draw.name == *name,
-            None => self.is_draw(name),
-        }
-    }
-
-    /// Whether the laws that a mean reads depend on the name.
-    fn drawn_depends(&self, own: Option<&Draw>, name: &Name) -> bool {
-        match own {
-            Some(draw) => self.law_depends(&draw.law, name),
-            None => self.draws.iter().any(|d| self.law_depends(&d.law, name)),
-        }
-    }
-
-    pub fn law_depends(&self, law: &Law, name: &Name) -> bool {
-        match law {
-            Law::Beta(a, b) | Law::Uniform(a, b) => self.depends(a, name) || self.depends(b, name),
-            Law::Order(l, m, of) => {
-                self.depends(l, name) || self.depends(m, name) || self.law_depends(of, name)
-            }
-            Law::Density {
-                argument,
-                body,
-                from,
-                to,
-            } => {
-                self.depends(from, name)
-                    || self.depends(to, name)
-                    || (argument != name && self.depends(body, name))
-            }
-            Law::Any => false,
-        }
+    /// Whether the law of some draw of the scope depends on the name.
+    pub fn laws_depend(&self, name: &Name) -> bool {
+        let depends = |draw: &Draw| self.part_depends(Part::Law(&draw.law), name);
+        self.draws.iter().any(depends)
     }
 }

@@ -12,8 +12,8 @@ use super::scope::{Binding, Scope, full_tank};
 use super::value::value_in;
 use super::{Unknown, calculus, unknown};
 use crate::formula::{
-    Condition, Duty, Formula, FunctionKind, Law, Name, ParameterKind, Point, Proposition,
-    RangeKind, Ranged, Rational, Regime, Relation, Statement,
+    Duty, Formula, FunctionKind, Law, Name, ParameterKind, Part, Point, Proposition, RangeKind,
+    Ranged, Rational, Regime, Relation, Statement,
 };
 use std::collections::BTreeSet;
 
@@ -105,7 +105,9 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
         let found = check_domain(proposition, &scope).and_then(|()| failure(item, &scope));
         match found {
             Ok(Some(refutation)) => return Ok(refutation),
-            Ok(None) => return unknown("the link holds, or neither side has a value"),
+            Ok(None) => {
+                return unknown("the link is not seen to fail here, or neither side has a value");
+            }
             Err(why) => reason = Err(why),
         }
     }
@@ -245,8 +247,8 @@ fn failure(item: &Item, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
             regime,
         } => {
             let expansion = matches!(relation, Relation::Asymptotic | Relation::Approximate)
-                || has_order_term(left)
-                || has_order_term(right)
+                || has_order_term(Part::Formula(left))
+                || has_order_term(Part::Formula(right))
                 || regime.is_some_and(|regime| !regime.along.is_empty());
             if expansion {
                 return unknown("the refutation of an expansion waits for constants");
@@ -294,47 +296,59 @@ fn duty_failure(
     duty: &Duty,
     scope: &Scope,
 ) -> Result<Option<Refutation>, Unknown> {
-    let at =
-        |place: &Interval| value_in(body, &scope.with(argument, Binding::Number(place.clone())));
+    let at = |place: &Interval| {
+        let inner = scope.with(argument, Binding::Number(place.clone()));
+        match value_in(body, &inner)? {
+            Value::Undefined => unknown("a definition without value at a place of its range"),
+            value => Ok(value),
+        }
+    };
     match duty {
         Duty::Density(from, to) => {
-            let total = Formula::Ranged(Box::new(Ranged {
-                kind: RangeKind::Integral,
-                body: body.clone(),
-                name: argument.clone(),
-                from: from.clone(),
-                to: to.clone(),
-            }));
-            for place in places(from, to, scope)? {
-                let found =
-                    at(&place).and_then(|v| compare(v, Relation::GreaterEqual, Value::exact(0)));
-                if let Ok(Some(refutation)) = found {
-                    return Ok(Some(because_of_duty(refutation)));
-                }
+            let negative_somewhere = places(from, to, scope)?.iter().find_map(|place| {
+                compare(at(place).ok()?, Relation::GreaterEqual, Value::exact(0)).ok()?
+            });
+            if let Some(found) = negative_somewhere {
+                return Ok(Some(because_of_duty(found)));
             }
-            let found = compare(value_in(&total, scope)?, Relation::Equal, Value::exact(1))?;
-            Ok(found.map(because_of_duty))
+            let total = value_in(&integral_of(body, argument, from, to), scope)?;
+            Ok(compare(total, Relation::Equal, Value::exact(1))?.map(because_of_duty))
         }
         Duty::Cumulative(from, to) => {
             let places = places(from, to, scope)?;
             let values: Vec<Value> = places.iter().map(at).collect::<Result<_, _>>()?;
-            let ends = [(values.first(), 0), (values.last(), 1)];
-            for (value, wanted) in ends {
-                let value = value.cloned().unwrap_or(Value::Undefined);
-                if let Some(found) = compare(value, Relation::Equal, Value::exact(wanted))? {
-                    return Ok(Some(because_of_duty(found)));
-                }
-            }
-            for pair in values.windows(2) {
-                let found = compare(pair[0].clone(), Relation::LessEqual, pair[1].clone());
-                if let Ok(Some(found)) = found {
-                    return Ok(Some(because_of_duty(found)));
-                }
-            }
-            unknown("no place was found where the cdf decreases")
+            cdf_failure(&values)
         }
         Duty::Agrees(_) => unknown("agreement with another claim is no point's affair"),
     }
+}
+
+/// What shows that values at increasing places are not those of a cdf from end to end.
+fn cdf_failure(values: &[Value]) -> Result<Option<Refutation>, Unknown> {
+    for pair in values.windows(2) {
+        let found = compare(pair[0].clone(), Relation::LessEqual, pair[1].clone());
+        if let Ok(Some(found)) = found {
+            return Ok(Some(because_of_duty(found)));
+        }
+    }
+    for (value, wanted) in [(values.first(), 0), (values.last(), 1)] {
+        if let Some(value) = value
+            && let Some(found) = compare(value.clone(), Relation::Equal, Value::exact(wanted))?
+        {
+            return Ok(Some(because_of_duty(found)));
+        }
+    }
+    Ok(None)
+}
+
+fn integral_of(body: &Formula, name: &Name, from: &Formula, to: &Formula) -> Formula {
+    Formula::Ranged(Box::new(Ranged {
+        kind: RangeKind::Integral,
+        body: body.clone(),
+        name: name.clone(),
+        from: from.clone(),
+        to: to.clone(),
+    }))
 }
 
 fn because_of_duty(found: Refutation) -> Refutation {
@@ -353,6 +367,9 @@ fn places(from: &Formula, to: &Formula, scope: &Scope) -> Result<Vec<Interval>, 
     let (Some(from), Some(to)) = (from, to) else {
         return unknown("a duty on a range without finite ends");
     };
+    if from.compare(&to) != Some(std::cmp::Ordering::Less) {
+        return unknown("a duty on a range whose ends are not in order");
+    }
     let width = to.minus(&from, scope.bits);
     let place = |i: i64| {
         let part = Interval::exact(Rational::new(i.into(), PLACES.into()));
@@ -364,36 +381,169 @@ fn places(from: &Formula, to: &Formula, scope: &Scope) -> Result<Vec<Interval>, 
     Ok((0..=PLACES).map(place).collect())
 }
 
-/// Whether an O or o stands anywhere in the formula.
-fn has_order_term(f: &Formula) -> bool {
-    let any = |parts: &[&Formula]| parts.iter().any(|part| has_order_term(part));
-    match f {
-        Formula::BigO(_) | Formula::LittleO(_) => true,
-        Formula::Number(_) | Formula::Pi | Formula::Infinity | Formula::Name(_) => false,
-        Formula::Apply(_, parts) | Formula::Call(_, parts) => parts.iter().any(has_order_term),
-        Formula::Negate(a) | Formula::Factorial(a) | Formula::Antiderivative(a, _) => any(&[a]),
-        Formula::Binary(_, a, b)
-        | Formula::Derivative(a, _, b)
-        | Formula::Density(a, b)
-        | Formula::Cumulative(a, b) => any(&[a, b]),
-        Formula::Ranged(r) => any(&[&r.body, &r.from, &r.to]),
-        Formula::At(a, places) | Formula::Limit(a, places) => {
-            any(&[a]) || places.iter().any(|(_, place)| has_order_term(place))
-        }
-        Formula::Indicator(c) | Formula::Truth(c) | Formula::Probability(c, _) => {
-            condition_has_order_term(c)
-        }
-        Formula::If(c, a, b) => condition_has_order_term(c) || any(&[a, b]),
-        Formula::Mean(a, _) | Formula::Variance(a, _) => any(&[a]),
+/// Whether an O or o, or a condition in the place of a number, stands anywhere in the formula.
+fn has_order_term(part: Part) -> bool {
+    if let Part::Formula(Formula::BigO(_) | Formula::LittleO(_) | Formula::Truth(_)) = part {
+        return true;
     }
+    let mut found = false;
+    part.each(&mut |inner, _| found = found || has_order_term(inner));
+    found
 }
 
-fn condition_has_order_term(condition: &Condition) -> bool {
-    match condition {
-        Condition::Chain(first, links) => {
-            has_order_term(first) || links.iter().any(|(_, right)| has_order_term(right))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::{parse_formula, parse_proposition};
+
+    fn rational(text: &str) -> Rational {
+        text.parse().expect(text)
+    }
+
+    fn point(numbers: &[(&str, &str)]) -> Point {
+        Point {
+            numbers: numbers
+                .iter()
+                .map(|(n, q)| ((*n).into(), rational(q)))
+                .collect(),
+            functions: Default::default(),
         }
-        Condition::And(parts) | Condition::Or(parts) => parts.iter().any(condition_has_order_term),
-        Condition::Not(part) => condition_has_order_term(part),
+    }
+
+    fn check(text: &str, numbers: &[(&str, &str)], link: usize) -> Result<Because, Unknown> {
+        let proposition = parse_proposition(text).expect(text);
+        let point = point(numbers);
+        check_witness(&proposition, &Witness { point, link }).map(|r| r.because())
+    }
+
+    const VARIANCE: &str = "given int k\ngiven int n\ngiven real I\n\
+        domain 1 <= k <= n\ndomain I > 0\ndraw r ~ beta(k, n - k + 1)\n\
+        says var(I*k/(n*r)) == I^2*k^2*(-k + n + 1)/((k - 2)*(k - 1)^2*n)";
+
+    #[test]
+    fn the_variance_2_14_lacks_a_condition() {
+        let at = |k, n| check(VARIANCE, &[("k", k), ("n", n), ("I", "1")], 0);
+        assert_eq!(at("2", "2"), Ok(Because::Undefined));
+        assert_eq!(at("2", "5"), Ok(Because::Undefined));
+        // Neither side has a value; the sides are equal; the point is outside.
+        assert!(at("1", "2").is_err());
+        assert!(at("3", "4").is_err());
+        assert!(at("3", "2").is_err());
+        assert!(at("0", "2").is_err());
+        assert!(at("5/2", "4").is_err());
+        assert!(check(VARIANCE, &[("k", "2"), ("n", "2"), ("I", "1")], 1).is_err());
+        assert!(check(VARIANCE, &[("k", "2"), ("n", "2")], 0).is_err());
+        let extra = [("k", "2"), ("n", "2"), ("I", "1"), ("r", "1/2")];
+        assert!(check(VARIANCE, &extra, 0).is_err());
+    }
+
+    #[test]
+    fn the_sign_in_2_61_is_wrong() {
+        let claim = |z: &str| {
+            format!(
+                "given real Va\ngiven real V\ndomain Va > 0\ndomain V > 0\n\
+                 says hyp2f1r(1, 1; 2; {z}) == Va*ln((Va + V)/Va)/V"
+            )
+        };
+        let at = [("Va", "1"), ("V", "1/2")];
+        assert_eq!(check(&claim("V/Va"), &at, 0), Ok(Because::Disjoint));
+        assert!(check(&claim("-V/Va"), &at, 0).is_err());
+        let beyond = [("Va", "1"), ("V", "1")];
+        assert_eq!(check(&claim("V/Va"), &beyond, 0), Ok(Because::Undefined));
+    }
+
+    #[test]
+    fn links_are_counted_over_the_whole_statement() {
+        let text = "given real x\nsays x == x < x and x != x <= x + 1";
+        let at = [("x", "2/3")];
+        assert!(check(text, &at, 0).is_err());
+        assert_eq!(check(text, &at, 1), Ok(Because::Equal));
+        assert_eq!(check(text, &at, 2), Ok(Because::Equal));
+        assert!(check(text, &at, 3).is_err());
+        assert!(check(text, &at, 4).is_err());
+    }
+
+    #[test]
+    fn infinities_are_equal_and_far_from_numbers() {
+        let text = "given int l\ndomain l >= 1\ndraw x ~ beta(l, 1)\n\
+            says mean(1/x) == mean(1/x^2) and mean(1/x) == 2";
+        assert!(check(text, &[("l", "1")], 0).is_err());
+        assert_eq!(check(text, &[("l", "1")], 1), Ok(Because::Disjoint));
+        assert_eq!(check(text, &[("l", "2")], 0), Ok(Because::Disjoint));
+        assert!(check(text, &[("l", "2")], 1).is_err());
+    }
+
+    #[test]
+    fn expansions_wait() {
+        let text = "given int k\ndomain k >= 1\nsays 1/k == 1/k^2 + O(1/k^3) as k -> inf";
+        assert!(check(text, &[("k", "2")], 0).is_err());
+        let hidden = "given int k\ndomain k >= 1\nsays 1/k == 1/(k - k) + O(1/k) as k -> inf";
+        assert!(check(hidden, &[("k", "2")], 0).is_err());
+        let text = "given int k\ndomain k >= 1\nsays 1/k ~ 2/k as k -> inf";
+        assert!(check(text, &[("k", "2")], 0).is_err());
+    }
+
+    #[test]
+    fn definitions_have_duties() {
+        let duty = |text: &str, link| check(&format!("says {text}"), &[], link);
+        assert!(duty("f(r) is 2*r with density on 0..1", 0).is_err());
+        assert_eq!(
+            duty("f(r) is 3*r with density on 0..1", 0),
+            Ok(Because::Duty)
+        );
+        assert_eq!(
+            duty("f(r) is 4*r - 1 with density on 0..1", 0),
+            Ok(Because::Duty)
+        );
+        assert_eq!(
+            duty("f(r) is 1/r with density on 0..1", 0),
+            Ok(Because::Duty)
+        );
+        assert!(duty("F(r) is r^2 with cdf on 0..1", 0).is_err());
+        assert_eq!(duty("F(r) is r^2/2 with cdf on 0..1", 0), Ok(Because::Duty));
+        assert_eq!(
+            duty("F(r) is r + 3*r*(1 - r) with cdf on 0..1", 0),
+            Ok(Because::Duty)
+        );
+        assert!(duty("F(r) is r^2 with cdf on 0..1, agrees 2.3", 1).is_err());
+    }
+
+    #[test]
+    fn functions_must_be_of_their_kind() {
+        let claim = "given fn f(x) density on 0..1\ngiven real a\ndomain 0 <= a <= 1\n\
+            says int(f(t), t = 0..a) == a";
+        let proposition = parse_proposition(claim).expect(claim);
+        let with = |body: &str| {
+            let mut point = point(&[("a", "1/2")]);
+            let body = parse_formula(body).expect(body);
+            point.functions.insert("f".into(), ("x".into(), body));
+            check_witness(&proposition, &Witness { point, link: 0 }).map(|r| r.because())
+        };
+        assert_eq!(with("2*x"), Ok(Because::Disjoint));
+        assert!(with("1").is_err());
+        assert!(with("3*x").is_err());
+        assert!(with("4*x - 1").is_err());
+        assert!(with("1/x").is_err());
+        assert!(with("2*x + a - a").is_err());
+    }
+
+    #[test]
+    fn draws_must_have_a_law_and_a_name_of_their_own() {
+        let text = "given int k\ndraw r ~ beta(k, 1)\nsays mean(r) == 5";
+        assert_eq!(check(text, &[("k", "1")], 0), Ok(Because::Disjoint));
+        assert!(check(text, &[("k", "0")], 0).is_err());
+        let text = "given int k\ndraw r ~ any\nsays 0 == 1";
+        assert!(check(text, &[("k", "1")], 0).is_err());
+    }
+
+    /// 2.62: k = 1 has an infinite mean on the left and no logarithm on the right.
+    #[test]
+    fn the_limit_2_62_lacks_a_condition() {
+        let text = "given int k\ngiven int l\ngiven int m\ngiven real I\n\
+            domain 1 <= l <= m\ndomain 1 <= k\ndomain I > 0\ndraw x ~ beta(l, m - l + 1)\n\
+            says lim(mean(I*k/(k - 1 + x)), m -> 1, l -> 1) == I*k*ln(k/(k - 1))";
+        let at = |k| check(text, &[("k", k), ("l", "1"), ("m", "2"), ("I", "2")], 0);
+        assert_eq!(at("1"), Ok(Because::Undefined));
+        assert!(at("2").is_err());
     }
 }
