@@ -4,7 +4,7 @@
 
 use claimcheck::evaluate::{Context, Failure, Outcome, enclose, exact, float, holds, ladder};
 use claimcheck::formula::{
-    Budget, Draw, Point, Rational, parse_condition, parse_formula, parse_law,
+    Budget, Draw, Law, Point, Rational, parse_condition, parse_formula, parse_law,
 };
 use claimcheck::number::{Exact, Interval};
 
@@ -27,10 +27,30 @@ fn draws(text: &str) -> Vec<Draw> {
             let (name, law) = part.split_once('~').expect("name ~ law");
             Draw {
                 name: name.trim().into(),
-                law: parse_law(law.trim()).expect(law),
+                law: self::law(law.trim()),
             }
         })
         .collect()
+}
+
+/// A law; `line` stands for the density 2t on [0, 1].
+fn law(text: &str) -> Law {
+    if text == "line" {
+        let number = |text| parse_formula(text).expect(text);
+        return Law::Density {
+            argument: "t".into(),
+            body: number("2*t"),
+            from: number("0"),
+            to: number("1"),
+        };
+    }
+    match text.strip_suffix(" of line") {
+        Some(order) => match parse_law(&format!("{order} of uniform(0, 1)")).expect(text) {
+            Law::Order(l, m, _) => Law::Order(l, m, Box::new(law("line"))),
+            other => other,
+        },
+        None => parse_law(text).expect(text),
+    }
 }
 
 struct Case {
@@ -120,12 +140,12 @@ const TABLE: &[(&str, &str, &str)] = &[
     ("var(k/(k - l + v*x))", "x ~ beta(l, m-l+1)", "k=5,l=2,m=3,v=3;k=9,l=3,m=4,v=4"),
     ("mean(x^2 + 3/x - 1/(1-x))", "x ~ beta(5/2, 7/3)", ""),
     ("mean(x*y + x^2) + var(x + y)", "x ~ beta(2, 3); y ~ uniform(-1, 2)", ""),
-    ("mean(r^2)", "r ~ order(l, m) of density 2*t on 0..1", "l=2,m=4"),
+    ("mean(r^2)", "r ~ order(l, m) of line", "l=2,m=4"),
     ("mean(1/r^2)", "r ~ order(l, m) of uniform(1, 3)", "l=2,m=4;l=1,m=1"),
     ("prob(x < 1/3) + prob(x^2 < 1/2 and x > 1/4)", "x ~ beta(2, 3)", ""),
     ("density(x, 1/3) + cdf(x, 1/3) + cdf(x, 2) + density(x, -1)", "x ~ beta(2, 3)", ""),
     ("density(r, 1/3)", "r ~ order(l, m) of uniform(0, 1)", "l=2,m=4"),
-    ("density(r, 1/3)", "r ~ order(l, m) of density 2*t on 0..1", "l=2,m=4;l=1,m=3"),
+    ("density(r, 1/3)", "r ~ order(l, m) of line", "l=2,m=4;l=1,m=3"),
     ("int(density(x, t)*t, t = -1..2)", "x ~ beta(2, 3)", ""),
     ("diff(x^3*ln(x), x) + diff(1/x, x, 2)", "", "x=2"),
     ("diff(int(t^2, t = 0..x^2), x)", "", "x=2"),
@@ -192,7 +212,7 @@ fn closed_forms_meet_their_means() {
         ),
         (
             "density(r, t) == n!/((k-1)!*(n-k)!)*(t^2)^(k-1)*(1-t^2)^(n-k)*2*t",
-            "r ~ order(k, n) of density 2*s on 0..1",
+            "r ~ order(k, n) of line",
             "k=3,n=5,t=2/7",
         ),
     ];

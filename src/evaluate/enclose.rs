@@ -13,7 +13,7 @@
 use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
-use super::{Context, Failure, Outcome, condition, outcome, quadrature, undecided, unsupported};
+use super::{Context, Failure, Outcome, condition, euler, outcome, undecided, unsupported};
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
 use crate::number::{DomainError, Interval, convert};
 use crate::special;
@@ -102,7 +102,7 @@ pub(super) fn within(formula: &Formula, scope: &Scope, precision: u32) -> Enclos
             within(branch, scope, precision)
         }
         Formula::Apply(name, arguments) => apply(name, arguments, scope, precision),
-        _ => exactly_or_by_quadrature(formula, scope, precision),
+        _ => exactly_or_by_series(formula, scope, precision),
     }
 }
 
@@ -388,14 +388,14 @@ fn combine(kind: RangeKind, total: Outcome<Interval>, term: Outcome<Interval>) -
     }
 }
 
-/// Means, integrals, limits, ...: the exact value, else by quadrature.
-fn exactly_or_by_quadrature(formula: &Formula, scope: &Scope, precision: u32) -> Enclosure {
+/// Means, integrals, limits, ...: the exact value, else a mean by Euler's integral.
+fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enclosure {
     match exact::closed(formula, scope) {
         Ok(outcome) => Ok(outcome.map(|value| value.enclose(precision))),
         Err(Failure::Exhausted) => Err(Failure::Exhausted),
         Err(failure) => match formula {
-            Formula::Mean(..) | Formula::Variance(..) | Formula::Ranged(_) => {
-                quadrature::enclose(formula, scope, precision, failure)
+            Formula::Mean(..) | Formula::Variance(..) => {
+                euler::enclose(formula, scope, precision, failure)
             }
             Formula::At(body, places) => at(body, places, scope, precision),
             _ => Err(failure),

@@ -370,7 +370,7 @@ fn beta_moments(function: &Fraction, a: &Rational, b: &Rational, budget: &Budget
 }
 
 /// gamma(a + n)/gamma(a) for a > 0, a + n > 0.
-fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
+pub(super) fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
     let product = match n {
         0.. => functions::rising(a, n.unsigned_abs(), budget)?,
         _ => functions::rising(&Rational::from(a + Rational::from(n)), n.unsigned_abs(), budget)?.recip(),
