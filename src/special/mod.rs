@@ -1,1 +1,36 @@
+//! Special functions with proved enclosures: Gauss's hypergeometric function, quotients of Gamma
+//! functions, Beta, binomial coefficients and Pochhammer's symbol.
 //!
+//! Arguments are intervals; the answer holds every value that the function takes on them. A
+//! [`DomainError`] says why there is none: `Certain` where the function has no value, `Possible`
+//! where a pole may lie inside or the method's cap of work was reached.
+//!
+//! [`DomainError`]: crate::number::DomainError
+
+mod gamma_quotient;
+mod hyp2f1;
+mod pochhammer;
+
+pub use gamma_quotient::{beta, gamma_quotient};
+pub use hyp2f1::{hyp2f1, hyp2f1_regularized};
+pub use pochhammer::{binomial, pochhammer};
+
+use crate::number::Interval;
+use rug::Integer;
+
+/// n where the interval is the point -n, n = 0, 1, 2, ...
+fn nonpositive_integer(x: &Interval) -> Option<Integer> {
+    x.as_integer().filter(|n| n.cmp0().is_le()).map(|n| -n)
+}
+
+/// Whether 0, -1, -2, ... may lie in the interval.
+fn may_be_pole(x: &Interval) -> bool {
+    *x.low() <= 0
+        && x.min(&Interval::from_i64(0, x.precision()))
+            .may_hold_integer()
+}
+
+/// All intervals with ends of `precision` bits, rounded outwards; a point that fits stays the same.
+fn widen<const N: usize>(values: [&Interval; N], precision: u32) -> [Interval; N] {
+    values.map(|x| x.with_precision(precision))
+}

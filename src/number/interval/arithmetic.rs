@@ -112,6 +112,41 @@ impl Interval {
         })
     }
 
+    /// All x * n for one integer n.
+    pub fn mul_integer(&self, n: &Integer) -> Interval {
+        let precision = self.precision();
+        if n.cmp0().is_eq() {
+            return Interval::from_i64(0, precision);
+        }
+        let (least, most) = self.in_order_of(n);
+        Interval::new(down(precision, least * n), up(precision, most * n))
+    }
+
+    /// All x / n for one integer n.
+    ///
+    /// # Errors
+    /// `Certain` for n = 0.
+    pub fn div_integer(&self, n: &Integer) -> Result<Interval, DomainError> {
+        if n.cmp0().is_eq() {
+            return Err(DomainError::Certain);
+        }
+        let precision = self.precision();
+        let (least, most) = self.in_order_of(n);
+        Ok(Interval::new(
+            down(precision, least / n),
+            up(precision, most / n),
+        ))
+    }
+
+    /// The ends whose multiples by n are the least and the largest.
+    fn in_order_of(&self, n: &Integer) -> (&Float, &Float) {
+        if n.cmp0().is_gt() {
+            (&self.low, &self.high)
+        } else {
+            (&self.high, &self.low)
+        }
+    }
+
     /// All -x.
     pub fn neg(&self) -> Interval {
         Interval::new(

@@ -104,7 +104,7 @@ impl Interval {
     }
 
     /// Whether some integer lies in the interval.
-    pub(super) fn may_hold_integer(&self) -> bool {
+    pub fn may_hold_integer(&self) -> bool {
         if !self.is_bounded() {
             return true;
         }

@@ -65,6 +65,19 @@ impl Interval {
         Ok(self.convex_range(&a, &b, |value, slope| value.add(slope)))
     }
 
+    /// All psi(x) = Gamma'(x)/Gamma(x), DLMF 5.2.2: increasing between its poles 0, -1, -2, ...
+    ///
+    /// # Errors
+    /// As [`Interval::gamma`].
+    pub fn digamma(&self) -> Result<Interval, DomainError> {
+        self.check_poles()?;
+        let precision = self.precision();
+        Ok(Interval::new(
+            down(precision, self.low.digamma_ref()),
+            up(precision, self.high.digamma_ref()),
+        ))
+    }
+
     /// An error unless the interval is free of poles.
     fn check_poles(&self) -> Result<(), DomainError> {
         if self.low > 0 {
