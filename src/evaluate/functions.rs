@@ -3,7 +3,7 @@
 //! and roots of numbers some power of which is rational, `hyp2f1` at integer parameters.
 
 use super::closed::{ln_of, rational, sign, times, to_power};
-use super::fraction::{Fraction, MAX_BITS, bits, power};
+use super::fraction::{Fraction, MAX_BITS, MAX_COST, bits, power};
 use super::integrate::{Bound, definite};
 use super::{Failure, Outcome, unsupported};
 use crate::formula::Budget;
@@ -167,10 +167,11 @@ pub(super) fn rising(a: &Rational, n: u64, budget: &Budget) -> Result<Rational, 
     if passes_zero {
         return Ok(Rational::new());
     }
-    if size > MAX_BITS {
+    let cost = n.saturating_mul(1 + size / 128);
+    if size > MAX_BITS || cost > MAX_COST {
         return Err(too_large("a product"));
     }
-    budget.spend(1 + n.saturating_mul(1 + size / 128))?;
+    budget.spend(1 + cost)?;
     let mut product = Rational::from(1);
     let mut factor = a.clone();
     for _ in 0..n {
@@ -295,10 +296,11 @@ fn terminating_sum([a, b, c, z]: [&Rational; 4], n: &Integer, budget: &Budget) -
     let n = n.to_u64().ok_or_else(|| too_large("a hypergeometric sum"))?;
     let step = bits(a) + bits(b) + bits(c) + bits(z) + 4 * u64::from(64 - n.leading_zeros());
     let size = n.saturating_mul(step);
-    if size > MAX_BITS {
+    let cost = n.saturating_mul(1 + size / 64);
+    if size > MAX_BITS || cost > MAX_COST {
         return Err(too_large("a hypergeometric sum"));
     }
-    budget.spend(1 + n.saturating_mul(1 + size / 64))?;
+    budget.spend(1 + cost)?;
     let mut term = Rational::from(1);
     let mut sum = Rational::from(1);
     for j in 0..n {

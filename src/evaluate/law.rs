@@ -24,6 +24,9 @@ use std::cmp::Ordering;
 
 use Outcome::{Undefined, Value};
 
+/// The weight of a beta law is written out up to this sum of its parameters.
+const MAX_SUM: i64 = 4096;
+
 /// A law at a point.
 #[derive(Clone, Debug)]
 pub(super) enum Weight {
@@ -324,7 +327,7 @@ fn beta_density(a: &Rational, b: &Rational, budget: &Budget) -> Result<Fraction,
     if *a.denom() != 1 || *b.denom() != 1 {
         return Err(unsupported("a beta law with parameters that are no integers"));
     }
-    if left.checked_add(right).is_none() {
+    if left.saturating_add(right) > MAX_SUM {
         return Err(Failure::TooLarge("a law's parameter".into()));
     }
     let ways = multiplicity(left, right - 1, budget)?;
