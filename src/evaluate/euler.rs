@@ -21,7 +21,12 @@ use rug::Rational;
 use std::cmp::Ordering;
 
 /// Encloses a mean or a variance over one draw; `failure` is the answer where this method does not apply.
-pub(super) fn enclose(formula: &Formula, scope: &Scope, precision: u32, failure: Failure) -> Enclosure {
+pub(super) fn enclose(
+    formula: &Formula,
+    scope: &Scope,
+    precision: u32,
+    failure: Failure,
+) -> Enclosure {
     let (body, own, variance) = match formula {
         Formula::Mean(body, own) => (body, own, false),
         Formula::Variance(body, own) => (body, own, true),
@@ -92,11 +97,18 @@ impl Method<'_> {
         Ok(sum)
     }
 
-    fn mean_of_fraction(&self, function: &Fraction, failure: &Failure) -> Result<Interval, Failure> {
+    fn mean_of_fraction(
+        &self,
+        function: &Fraction,
+        failure: &Failure,
+    ) -> Result<Interval, Failure> {
         let (zero, one) = (Rational::new(), Rational::from(1));
         let split = function.split(self.budget)?;
         let (p, q) = (split.exponent_at(&zero), split.exponent_at(&one));
-        let ends = [Rational::from(self.a + Rational::from(p)), Rational::from(self.b + Rational::from(q))];
+        let ends = [
+            Rational::from(self.a + Rational::from(p)),
+            Rational::from(self.b + Rational::from(q)),
+        ];
         if ends.iter().any(|end| end.cmp0() != Ordering::Greater) {
             return Err(failure.clone());
         }
@@ -127,7 +139,9 @@ impl Method<'_> {
     /// E[x^p (1-x)^q (x-r)^order]
     fn moment(&self, p: i64, q: i64, pole: &Rational, order: i64) -> Result<Interval, Failure> {
         let sum = Rational::from(self.a + self.b);
-        let total = p.checked_add(q).ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
+        let total = p
+            .checked_add(q)
+            .ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
         let ratio = shift(self.a, p, self.budget)? * shift(self.b, q, self.budget)?
             / shift(&sum, total, self.budget)?;
         self.budget.spend(u64::from(self.precision))?;
@@ -140,7 +154,10 @@ impl Method<'_> {
             self.precision,
         )
         .map_err(failed)?;
-        let scale = self.interval(&Rational::from(-pole)).powi(order).map_err(failed)?;
+        let scale = self
+            .interval(&Rational::from(-pole))
+            .powi(order)
+            .map_err(failed)?;
         Ok(self.interval(&ratio).mul(&scale).mul(&function))
     }
 }
