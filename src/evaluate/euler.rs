@@ -106,8 +106,8 @@ impl Method<'_> {
         let split = function.split(self.budget)?;
         let (p, q) = (split.exponent_at(&zero), split.exponent_at(&one));
         let ends = [
-            Rational::from(self.a + Rational::from(p)),
-            Rational::from(self.b + Rational::from(q)),
+            (self.a + Rational::from(p)),
+            (self.b + Rational::from(q)),
         ];
         if ends.iter().any(|end| end.cmp0() != Ordering::Greater) {
             return Err(failure.clone());
@@ -148,7 +148,7 @@ impl Method<'_> {
         let failed = |_| unsupported("hyp2f1 in a mean");
         let function = special::hyp2f1(
             &Interval::from_i64(order.saturating_neg(), self.precision),
-            &self.interval(&Rational::from(self.a + Rational::from(p))),
+            &self.interval(&(self.a + Rational::from(p))),
             &self.interval(&(sum + Rational::from(total))),
             &self.interval(&Rational::from(pole.recip_ref())),
             self.precision,

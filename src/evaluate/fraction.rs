@@ -471,7 +471,7 @@ pub(super) fn evaluate(polynomial: &[Rational], x: &Rational) -> Rational {
 
 fn derivative(polynomial: &[Rational]) -> Polynomial {
     let rest = polynomial.iter().enumerate().skip(1);
-    rest.map(|(j, c)| Rational::from(c * Rational::from(j)))
+    rest.map(|(j, c)| c * Rational::from(j))
         .collect()
 }
 

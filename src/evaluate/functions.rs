@@ -151,7 +151,7 @@ pub(super) fn lngamma(x: &Rational, budget: &Budget) -> Closed {
 pub(super) fn pochhammer(a: &Rational, n: &Integer, budget: &Budget) -> Closed {
     let count = n.to_i64().ok_or_else(|| too_large("a product"))?;
     let start = if count < 0 {
-        Rational::from(a + Rational::from(count))
+        a + Rational::from(count)
     } else {
         a.clone()
     };
@@ -172,7 +172,7 @@ pub(super) fn pochhammer(a: &Rational, n: &Integer, budget: &Budget) -> Closed {
 pub(super) fn rising(a: &Rational, n: u64, budget: &Budget) -> Result<Rational, Failure> {
     let step = bits(a).saturating_add(u64::from(u64::BITS - n.leading_zeros()));
     let size = n.saturating_mul(step);
-    let last = Rational::from(a + Rational::from(n));
+    let last = a + Rational::from(n);
     let passes_zero =
         *a.denom() == 1 && a.cmp0() != Ordering::Greater && last.cmp0() == Ordering::Greater;
     if passes_zero {
@@ -184,10 +184,8 @@ pub(super) fn rising(a: &Rational, n: u64, budget: &Budget) -> Result<Rational, 
     }
     budget.spend(1 + cost)?;
     let mut product = Rational::from(1);
-    let mut factor = a.clone();
-    for _ in 0..n {
-        product *= &factor;
-        factor += 1u32;
+    for j in 0..n {
+        product *= a.clone() + j;
     }
     Ok(product)
 }
@@ -208,7 +206,7 @@ pub(super) fn binomial(n: &Rational, k: &Rational, budget: &Budget) -> Closed {
         }
         k = k.min(rest);
     }
-    let above = Rational::from(n - Rational::from(&k)) + 1u32;
+    let above = (n - Rational::from(&k)) + 1u32;
     let count = k
         .to_u64()
         .ok_or_else(|| too_large("a binomial coefficient"))?;

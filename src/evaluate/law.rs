@@ -395,8 +395,8 @@ fn beta_moments(
     if others.is_zero() {
         return Ok(Value(rational(zero)));
     }
-    let diverges = Rational::from(a + Rational::from(p)).cmp0() != Ordering::Greater
-        || Rational::from(b + Rational::from(q)).cmp0() != Ordering::Greater;
+    let diverges = (a + Rational::from(p)).cmp0() != Ordering::Greater
+        || (b + Rational::from(q)).cmp0() != Ordering::Greater;
     if diverges {
         let ends = (Bound::Finite(rational(zero)), Bound::Finite(rational(one)));
         return integrate::infinite(sign::on(function, &ends.0, &ends.1, budget)?);
@@ -411,7 +411,7 @@ fn beta_moments(
         .ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
     moment /= shift(&sum, total, budget)?;
     let mut mean = Rational::new();
-    let mut above = Rational::from(a + Rational::from(p));
+    let mut above = a + Rational::from(p);
     let mut below = sum + Rational::from(total);
     for coefficient in &polynomial {
         budget.spend(1 + super::fraction::bits(&moment) / 64)?;
@@ -429,7 +429,7 @@ pub(super) fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, F
     let product = match n {
         0.. => functions::rising(a, n.unsigned_abs(), budget)?,
         _ => functions::rising(
-            &Rational::from(a + Rational::from(n)),
+            &(a + Rational::from(n)),
             n.unsigned_abs(),
             budget,
         )?
