@@ -14,7 +14,8 @@ use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
 use super::{
-    Context, Failure, Outcome, condition, differentiate, euler, outcome, undecided, unsupported,
+    Context, Failure, Outcome, condition, differentiate, euler, outcome, range, undecided,
+    unsupported,
 };
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
 use crate::number::{DomainError, Interval, convert};
@@ -383,7 +384,7 @@ fn several(function: Function, arguments: &[Formula], scope: &Scope, precision: 
 
 /// Sums, suprema and infima over integers.
 fn over_range(ranged: &Ranged, scope: &Scope, precision: u32) -> Enclosure {
-    let Some((from, to)) = exact::integer_range(ranged, scope)? else {
+    let Some((from, to)) = range::integer_range(ranged, scope)? else {
         return Ok(Undefined);
     };
     let mut total =

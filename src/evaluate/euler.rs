@@ -105,10 +105,7 @@ impl Method<'_> {
         let (zero, one) = (Rational::new(), Rational::from(1));
         let split = function.split(self.budget)?;
         let (p, q) = (split.exponent_at(&zero), split.exponent_at(&one));
-        let ends = [
-            (self.a + Rational::from(p)),
-            (self.b + Rational::from(q)),
-        ];
+        let ends = [(self.a + Rational::from(p)), (self.b + Rational::from(q))];
         if ends.iter().any(|end| end.cmp0() != Ordering::Greater) {
             return Err(failure.clone());
         }

@@ -471,8 +471,7 @@ pub(super) fn evaluate(polynomial: &[Rational], x: &Rational) -> Rational {
 
 fn derivative(polynomial: &[Rational]) -> Polynomial {
     let rest = polynomial.iter().enumerate().skip(1);
-    rest.map(|(j, c)| c * Rational::from(j))
-        .collect()
+    rest.map(|(j, c)| c * Rational::from(j)).collect()
 }
 
 /// Quotient and remainder of division by `x - root` (synthetic division).

@@ -428,12 +428,7 @@ fn beta_moments(
 pub(super) fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
     let product = match n {
         0.. => functions::rising(a, n.unsigned_abs(), budget)?,
-        _ => functions::rising(
-            &(a + Rational::from(n)),
-            n.unsigned_abs(),
-            budget,
-        )?
-        .recip(),
+        _ => functions::rising(&(a + Rational::from(n)), n.unsigned_abs(), budget)?.recip(),
     };
     Ok(product)
 }

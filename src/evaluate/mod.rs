@@ -20,9 +20,11 @@ mod functions;
 mod integrate;
 mod law;
 mod limit;
+mod mean;
 mod outcome;
 mod pieces;
 mod quantity;
+mod range;
 mod scope;
 mod sign;
 
