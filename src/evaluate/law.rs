@@ -140,8 +140,8 @@ fn order_statistic(
             l: l.into_numer_denom().0,
             m: m.into_numer_denom().0,
             density: base.density(scope.budget())?,
-            from: base.from_end(),
-            to: base.to_end(),
+            from: base.lower_end(),
+            to: base.upper_end(),
         }),
         _ => Undefined,
     })
@@ -188,14 +188,14 @@ fn density_law(
 }
 
 impl Weight {
-    fn from_end(&self) -> Exact {
+    fn lower_end(&self) -> Exact {
         match self {
             Weight::Beta(..) => rational(Rational::new()),
             Weight::Density { from, .. } | Weight::Order { from, .. } => from.clone(),
         }
     }
 
-    fn to_end(&self) -> Exact {
+    fn upper_end(&self) -> Exact {
         match self {
             Weight::Beta(..) => rational(Rational::from(1)),
             Weight::Density { to, .. } | Weight::Order { to, .. } => to.clone(),
@@ -204,12 +204,12 @@ impl Weight {
 
     /// The lower end of the support.
     pub fn from(&self) -> Bound {
-        Bound::Finite(self.from_end())
+        Bound::Finite(self.lower_end())
     }
 
     /// The upper end of the support.
     pub fn to(&self) -> Bound {
-        Bound::Finite(self.to_end())
+        Bound::Finite(self.upper_end())
     }
 
     /// The density inside the support, as a weight of means.
@@ -270,7 +270,7 @@ impl Weight {
             ));
         }
         let integral = integrate::antiderivative(&split.expanded_numerator(budget)?);
-        let start = integrate::at_quantity(&integral, &Quantity::Closed(self.from_end()), budget)?
+        let start = integrate::at_quantity(&integral, &Quantity::Closed(self.lower_end()), budget)?
             .closed("a cdf")?
             .as_rational()
             .ok_or_else(|| unsupported("the cdf of a law with an irrational end"))?;
@@ -411,15 +411,13 @@ fn beta_moments(
         .ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
     moment /= shift(&sum, total, budget)?;
     let mut mean = Rational::new();
-    let mut above = a + Rational::from(p);
-    let mut below = sum + Rational::from(total);
-    for coefficient in &polynomial {
+    let above = a.clone() + p;
+    let below = sum + total;
+    for (index, coefficient) in polynomial.iter().enumerate() {
         budget.spend(1 + super::fraction::bits(&moment) / 64)?;
         mean += Rational::from(coefficient * &moment);
-        moment *= &above;
-        moment /= &below;
-        above += 1u32;
-        below += 1u32;
+        moment *= above.clone() + index as u64;
+        moment /= below.clone() + index as u64;
     }
     Ok(Value(rational(mean)))
 }
@@ -448,10 +446,12 @@ pub(super) fn at_place(
         return Ok(Undefined);
     };
     let outside = |value: u32| Ok(Value(Quantity::rational(Rational::from(value))));
-    if super::closed::sign(&minus(&place, &weight.from_end(), scope.budget())?)? == Ordering::Less {
+    if super::closed::sign(&minus(&place, &weight.lower_end(), scope.budget())?)? == Ordering::Less
+    {
         return outside(0);
     }
-    if super::closed::sign(&minus(&place, &weight.to_end(), scope.budget())?)? == Ordering::Greater
+    if super::closed::sign(&minus(&place, &weight.upper_end(), scope.budget())?)?
+        == Ordering::Greater
     {
         return outside(u32::from(cumulative));
     }
