@@ -106,11 +106,12 @@ fn enclosed_order(
 ) -> Result<Option<Ordering>, Failure> {
     let mut last = undecided("a comparison");
     for precision in PRECISIONS {
-        let left = enclose::within(left, scope, precision)?;
-        let right = enclose::within(right, scope, precision)?;
-        match compare(left, right, |a, b| separated(&a, &b)) {
-            Ok(order) => return Ok(order),
-            Err(failure) => last = failure,
+        let order = enclose::within(left, scope, precision)
+            .and_then(|left| Ok((left, enclose::within(right, scope, precision)?)))
+            .and_then(|(left, right)| compare(left, right, |a, b| separated(&a, &b)));
+        match order {
+            Err(Failure::Undecided(why)) => last = Failure::Undecided(why),
+            decided => return decided,
         }
     }
     Err(last)

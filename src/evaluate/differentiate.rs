@@ -8,6 +8,7 @@ use crate::formula::{Formula, Function, Name, Operator, Part, RangeKind, Ranged,
 
 /// Larger derivatives are refused.
 const MAX_NODES: usize = 20_000;
+const MAX_DEPTH: usize = 300;
 
 /// The derivative of the given order with respect to a name.
 pub(super) fn repeatedly(
@@ -20,7 +21,7 @@ pub(super) fn repeatedly(
     for _ in 0..times {
         result = derivative(&result, name, scope)?;
         let size = Part::Formula(&result).nodes(MAX_NODES);
-        if size > MAX_NODES {
+        if size > MAX_NODES || Part::Formula(&result).depth() > MAX_DEPTH {
             return Err(Failure::TooLarge("a derivative".into()));
         }
         scope.spend(size as u64)?;

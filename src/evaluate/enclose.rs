@@ -13,7 +13,10 @@
 use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
-use super::{Context, Failure, Outcome, condition, outcome, quadrature, undecided, unsupported};
+use super::{
+    Context, Failure, Outcome, condition, differentiate, euler, outcome, range, undecided,
+    unsupported,
+};
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
 use crate::number::{DomainError, Interval, convert};
 use crate::special;
@@ -112,7 +115,7 @@ pub(super) fn within(formula: &Formula, scope: &Scope, precision: u32) -> Enclos
             within(branch, scope, precision)
         }
         Formula::Apply(name, arguments) => apply(name, arguments, scope, precision),
-        _ => exactly_or_by_quadrature(formula, scope, precision),
+        _ => exactly_or_by_series(formula, scope, precision),
     }
 }
 
@@ -381,7 +384,7 @@ fn several(function: Function, arguments: &[Formula], scope: &Scope, precision: 
 
 /// Sums, suprema and infima over integers.
 fn over_range(ranged: &Ranged, scope: &Scope, precision: u32) -> Enclosure {
-    let Some((from, to)) = exact::integer_range(ranged, scope)? else {
+    let Some((from, to)) = range::integer_range(ranged, scope)? else {
         return Ok(Undefined);
     };
     let mut total =
@@ -410,18 +413,41 @@ fn combine(kind: RangeKind, total: Outcome<Interval>, term: Outcome<Interval>) -
     }
 }
 
-/// Means, integrals, limits, ...: the exact value, else by quadrature.
-fn exactly_or_by_quadrature(formula: &Formula, scope: &Scope, precision: u32) -> Enclosure {
+/// Means, integrals, limits, ...: the exact value, else a mean by Euler's integral.
+fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enclosure {
     match exact::closed(formula, scope) {
         Ok(outcome) => Ok(outcome.map(|value| value.enclose(precision))),
         Err(Failure::Exhausted) => Err(Failure::Exhausted),
         Err(failure) => match formula {
-            Formula::Mean(..) | Formula::Variance(..) | Formula::Ranged(_) => {
-                quadrature::enclose(formula, scope, precision, failure)
+            Formula::Mean(..) | Formula::Variance(..) => {
+                euler::enclose(formula, scope, precision, failure)
             }
             Formula::At(body, places) => at(body, places, scope, precision),
+            Formula::Derivative(body, name, times) => {
+                derivative(body, name, times, scope, precision)
+            }
             _ => Err(failure),
         },
+    }
+}
+
+/// As for exact values: the formula itself must have a value, and so must the rules' result.
+fn derivative(
+    body: &Formula,
+    name: &Name,
+    times: &Formula,
+    scope: &Scope,
+    precision: u32,
+) -> Enclosure {
+    let times = exact::derivative_order(times, scope)?;
+    let result = differentiate::repeatedly(body, name, times, scope)?;
+    match (
+        within(body, scope, precision)?,
+        within(&result, scope, precision)?,
+    ) {
+        (Value(_), Value(slope)) => Ok(Value(slope)),
+        (Undefined, _) => Ok(Undefined),
+        _ => Err(unsupported("a derivative at a singular place")),
     }
 }
 

@@ -5,15 +5,14 @@
 //! closed form here is [`Failure::Unsupported`].
 
 use super::closed::order;
-use super::integrate::{self, Bound};
-use super::law::{self, Weight};
+use super::mean::{at_draw, mean_of, over_draws, variance_of};
 use super::outcome;
-use super::pieces::{self, Piece};
-use super::quantity::{Quantity, Separable, Symbol};
+use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
-use super::sign::{self, Sign};
-use super::{Context, Failure, Outcome, condition, functions, limit, undecided, unsupported};
-use crate::formula::{Condition, Draw, Formula, Function, Name, Operator, Part, RangeKind, Ranged};
+use super::{
+    Context, Failure, Outcome, condition, functions, limit, range, undecided, unsupported,
+};
+use crate::formula::{Formula, Function, Name, Operator, Part};
 use crate::number::{Exact, convert};
 use rug::{Integer, Rational};
 use std::cmp::Ordering;
@@ -70,7 +69,7 @@ pub(super) fn at_samples(quantity: &Quantity, scope: &Scope) -> Result<Option<Ex
     }
 }
 
-fn number(value: Rational) -> Evaluation {
+pub(super) fn number(value: Rational) -> Evaluation {
     Ok(Value(Quantity::rational(value)))
 }
 
@@ -92,7 +91,7 @@ pub(super) fn value(formula: &Formula, scope: &Scope) -> Evaluation {
             })
         }
         Formula::Call(function, arguments) => call(*function, arguments, scope),
-        Formula::Ranged(ranged) => self::ranged(ranged, scope),
+        Formula::Ranged(ranged) => range::ranged(ranged, scope),
         Formula::Antiderivative(..) => Err(unsupported("an antiderivative at a point")),
         Formula::Derivative(body, name, times) => derivative(body, name, times, scope),
         Formula::At(body, places) => at(body, places, scope),
@@ -120,7 +119,7 @@ pub(super) fn value(formula: &Formula, scope: &Scope) -> Evaluation {
     }
 }
 
-fn negate(outcome: Outcome<Quantity>, scope: &Scope) -> Evaluation {
+pub(super) fn negate(outcome: Outcome<Quantity>, scope: &Scope) -> Evaluation {
     Ok(match outcome {
         Value(quantity) => Value(quantity.negate(scope.budget())?),
         other => other.negate(|quantity| quantity),
@@ -351,7 +350,7 @@ fn extreme(arguments: &[Formula], wanted: Ordering, scope: &Scope) -> Evaluation
     best.ok_or_else(|| unsupported("min or max of nothing"))
 }
 
-fn more_extreme(
+pub(super) fn more_extreme(
     best: Outcome<Quantity>,
     next: Outcome<Quantity>,
     wanted: Ordering,
@@ -372,7 +371,8 @@ fn more_extreme(
     })
 }
 
-fn derivative(body: &Formula, name: &Name, times: &Formula, scope: &Scope) -> Evaluation {
+/// How often to differentiate.
+pub(super) fn derivative_order(times: &Formula, scope: &Scope) -> Result<u32, Failure> {
     let times = match value(times, scope)? {
         Value(times) => times.closed("an order of a derivative")?.as_rational(),
         _ => None,
@@ -380,7 +380,11 @@ fn derivative(body: &Formula, name: &Name, times: &Formula, scope: &Scope) -> Ev
     let times = times
         .filter(|n| *n.denom() == 1)
         .and_then(|n| n.numer().to_u32());
-    let times = times.ok_or_else(|| unsupported("a derivative of this order"))?;
+    times.ok_or_else(|| unsupported("a derivative of this order"))
+}
+
+fn derivative(body: &Formula, name: &Name, times: &Formula, scope: &Scope) -> Evaluation {
+    let times = derivative_order(times, scope)?;
     let result = super::differentiate::repeatedly(body, name, times, scope)?;
     let plain = value(body, scope)?;
     if times == 0 || !matches!(plain, Value(_)) {
@@ -419,376 +423,4 @@ pub(super) fn bound<T>(
             bound(body, rest, &link.scope(), f)
         }
     }
-}
-
-fn ranged(ranged: &Ranged, scope: &Scope) -> Evaluation {
-    if ranged.kind == RangeKind::Integral {
-        return integral(ranged, scope);
-    }
-    let Some((from, to)) = integer_range(ranged, scope)? else {
-        return Ok(Undefined);
-    };
-    let mut total =
-        (ranged.kind == RangeKind::Sum).then(|| Value(Quantity::rational(Rational::new())));
-    let mut j = from;
-    while j <= to {
-        scope.spend(1)?;
-        let place = Quantity::rational(Rational::from(&j));
-        let link = scope.bind(&ranged.name, Binding::Quantity(place));
-        let term = value(&ranged.body, &link.scope())?;
-        total = Some(match total {
-            None => term,
-            Some(total) => combine(ranged.kind, total, term, scope)?,
-        });
-        j += 1;
-    }
-    // The supremum of nothing has no value.
-    Ok(total.unwrap_or(Undefined))
-}
-
-fn combine(
-    kind: RangeKind,
-    total: Outcome<Quantity>,
-    term: Outcome<Quantity>,
-    scope: &Scope,
-) -> Evaluation {
-    match kind {
-        RangeKind::Supremum => more_extreme(total, term, Ordering::Greater, scope),
-        RangeKind::Infimum => more_extreme(total, term, Ordering::Less, scope),
-        _ => outcome::add(total, term, |a, b| Ok(Value(a.add(b, scope.budget())?))),
-    }
-}
-
-/// The ends of a range of integers, `None` where they have no value. The empty range from a to a-1 is
-/// one, a range further reversed is refused.
-pub(super) fn integer_range(
-    ranged: &Ranged,
-    scope: &Scope,
-) -> Result<Option<(Integer, Integer)>, Failure> {
-    let mut ends = vec![];
-    for end in [&ranged.from, &ranged.to] {
-        match value(end, scope)? {
-            Value(end) => {
-                let end = end
-                    .closed("a bound")?
-                    .as_rational()
-                    .filter(|end| *end.denom() == 1);
-                let end =
-                    end.ok_or_else(|| unsupported("a range between numbers that are no integers"))?;
-                ends.push(end.into_numer_denom().0);
-            }
-            Undefined => return Ok(None),
-            _ => return Err(unsupported("a range without end")),
-        }
-    }
-    match <[Integer; 2]>::try_from(ends) {
-        Ok([from, to]) if Integer::from(&from - 1) <= to => Ok(Some((from, to))),
-        _ => Err(unsupported("a reversed range")),
-    }
-}
-
-fn integral(ranged: &Ranged, scope: &Scope) -> Evaluation {
-    let (from, to) = (value(&ranged.from, scope)?, value(&ranged.to, scope)?);
-    if matches!(from, Undefined) || matches!(to, Undefined) {
-        return Ok(Undefined);
-    }
-    let open = |end: &Outcome<Quantity>| matches!(end, Value(Quantity::Open(_)));
-    let symbol = scope.new_symbol();
-    let link = scope.bind(&ranged.name, unsampled(symbol, false));
-    if let (true, Value(from), Value(to)) = (open(&from) || open(&to), &from, &to) {
-        if pieces_needed(&ranged.body, &link.scope(), symbol)? {
-            return Err(unsupported("a piecewise integrand between variable bounds"));
-        }
-        return value(&ranged.body, &link.scope())?.finite("an integrand", |body| {
-            integrate::between_functions(
-                &body.open(),
-                symbol,
-                from.clone(),
-                to.clone(),
-                scope.budget(),
-            )
-        });
-    }
-    let (from, to) = (as_bound(from)?, as_bound(to)?);
-    match pieces::direction(&from, &to)? {
-        Ordering::Less => between(&ranged.body, &ranged.name, &from, &to, scope),
-        Ordering::Greater => {
-            let reversed = between(&ranged.body, &ranged.name, &to, &from, scope)?;
-            negate(reversed, scope)
-        }
-        Ordering::Equal => {
-            let body = value(&ranged.body, &link.scope())?;
-            body.finite("an integrand", |_| number(Rational::new()))
-        }
-    }
-}
-
-fn unsampled(symbol: Symbol, draw: bool) -> Binding {
-    Binding::Symbol {
-        symbol,
-        sample: None,
-        draw,
-    }
-}
-
-/// Whether an integrand is piecewise; asked over the whole line.
-fn pieces_needed(body: &Formula, scope: &Scope, symbol: Symbol) -> Result<bool, Failure> {
-    let ends = (Bound::MinusInfinity, Bound::PlusInfinity);
-    Ok(pieces::of(Part::Formula(body), scope, symbol, &ends.0, &ends.1)?.is_some())
-}
-
-fn as_bound(end: Outcome<Quantity>) -> Result<Bound, Failure> {
-    match end {
-        Value(end) => Ok(Bound::Finite(end.closed("a bound")?)),
-        PlusInfinity => Ok(Bound::PlusInfinity),
-        MinusInfinity => Ok(Bound::MinusInfinity),
-        Undefined => Err(unsupported("a bound without a value")),
-    }
-}
-
-/// The integral of `body` over `from < to`.
-fn between(body: &Formula, name: &Name, from: &Bound, to: &Bound, scope: &Scope) -> Evaluation {
-    let symbol = scope.new_symbol();
-    let link = scope.bind(name, unsampled(symbol, false));
-    let pieces = pieces::of(Part::Formula(body), &link.scope(), symbol, from, to)?;
-    let Some(pieces) = pieces else {
-        return value(body, &link.scope())?.finite("an integrand", |body| {
-            integrate::over(&body.open(), symbol, from, to, scope.budget())
-        });
-    };
-    let mut parts = vec![];
-    for piece in pieces {
-        let link = scope.bind(name, sampled_at(symbol, &piece, false));
-        match value(body, &link.scope())? {
-            Value(function) => parts.push((function.open(), piece)),
-            Undefined => return Ok(Undefined),
-            _ => return Err(unsupported("an infinite integrand")),
-        }
-    }
-    let budget = scope.budget();
-    add_pieces(&parts, symbol, scope, |function, piece| {
-        integrate::over(function, symbol, &piece.from, &piece.to, budget)
-    })
-}
-
-fn sampled_at(symbol: Symbol, piece: &Piece, draw: bool) -> Binding {
-    Binding::Symbol {
-        symbol,
-        sample: Some(piece.sample.clone()),
-        draw,
-    }
-}
-
-/// The sum of the pieces' integrals. A divergent piece makes the whole infinite only if all pieces have
-/// its sign.
-fn add_pieces(
-    parts: &[(Separable, Piece)],
-    symbol: Symbol,
-    scope: &Scope,
-    integral: impl Fn(&Separable, &Piece) -> Evaluation,
-) -> Evaluation {
-    let mut total = Quantity::rational(Rational::new());
-    let mut infinite = false;
-    for (function, piece) in parts {
-        match integral(function, piece)? {
-            Value(part) => total = total.add(part, scope.budget())?,
-            Undefined => return Ok(Undefined),
-            _ => infinite = true,
-        }
-    }
-    if !infinite {
-        return Ok(Value(total));
-    }
-    let mut signs = vec![];
-    for (function, piece) in parts {
-        let function = Quantity::Open(function.clone()).single_function(symbol);
-        let function = function.ok_or_else(|| unsupported("a divergent piecewise integral"))?;
-        if !function.is_zero() {
-            signs.push(sign::on(&function, &piece.from, &piece.to, scope.budget())?);
-        }
-    }
-    let mixed = signs.contains(&Sign::NonNegative) && signs.contains(&Sign::NonPositive);
-    let first = signs.first().copied().unwrap_or(Sign::Unknown);
-    match signs
-        .iter()
-        .find(|sign| matches!(sign, Sign::Unknown | Sign::Mixed))
-    {
-        Some(sign) => integrate::infinite(*sign),
-        None if mixed => Ok(Undefined),
-        None => integrate::infinite(first),
-    }
-}
-
-/// The body of a mean with its draws as symbols.
-struct Body<'b> {
-    part: Part<'b>,
-    draws: &'b [&'b Draw],
-    symbols: &'b [Symbol],
-}
-
-/// Evaluates something under the draws that occur free in it.
-fn over_draws(
-    part: Part,
-    own: &Option<Box<Draw>>,
-    scope: &Scope,
-    f: fn(&Body, &Scope) -> Evaluation,
-) -> Evaluation {
-    let names = part.free_names();
-    let draws: Vec<&Draw> = match own {
-        Some(draw) => vec![draw],
-        None => scope.draws_among(&names)?,
-    };
-    let symbols: Vec<Symbol> = draws.iter().map(|_| scope.new_symbol()).collect();
-    let body = Body {
-        part,
-        draws: &draws,
-        symbols: &symbols,
-    };
-    f(&body, scope)
-}
-
-impl Body<'_> {
-    /// The value with the draws as symbols; with a piece, its sample is taken for the only draw.
-    fn value(&self, piece: Option<&Piece>, scope: &Scope) -> Evaluation {
-        self.under(0, piece, scope)
-    }
-
-    fn under(&self, depth: usize, piece: Option<&Piece>, scope: &Scope) -> Evaluation {
-        match (self.draws.get(depth), self.symbols.get(depth)) {
-            (Some(draw), Some(symbol)) => {
-                let binding = match piece {
-                    Some(piece) => sampled_at(*symbol, piece, true),
-                    None => unsampled(*symbol, true),
-                };
-                let link = scope.bind(&draw.name, binding);
-                self.under(depth + 1, piece, &link.scope())
-            }
-            _ => match self.part {
-                Part::Formula(formula) => value(formula, scope),
-                Part::Condition(truth) => {
-                    number(Rational::from(u32::from(condition::within(truth, scope)?)))
-                }
-                Part::Law(_) => Err(unsupported("the mean of a law")),
-            },
-        }
-    }
-
-    fn weights(&self, scope: &Scope) -> Result<Outcome<Vec<Weight>>, Failure> {
-        let mut weights = vec![];
-        for draw in self.draws {
-            match law::weight(&draw.law, scope)? {
-                Value(weight) => weights.push(weight),
-                _ => return Ok(Undefined),
-            }
-        }
-        Ok(Value(weights))
-    }
-
-    /// The body on each piece of the support of the only draw; `None` when it is not piecewise.
-    fn pieces(&self, weights: &[Weight], scope: &Scope) -> Result<Option<Vec<Piece>>, Failure> {
-        let [draw] = self.draws else {
-            let piecewise = pieces::has_conditions(self.part);
-            return if piecewise && !self.draws.is_empty() {
-                Err(unsupported("a piecewise function of several draws"))
-            } else {
-                Ok(None)
-            };
-        };
-        let link = scope.bind(&draw.name, unsampled(self.symbols[0], true));
-        let (from, to) = (weights[0].from(), weights[0].to());
-        pieces::of(self.part, &link.scope(), self.symbols[0], &from, &to)
-    }
-
-    /// The mean of `f` of the body.
-    fn mean(&self, scope: &Scope, f: impl Fn(Quantity) -> Evaluation) -> Evaluation {
-        let Value(weights) = self.weights(scope)? else {
-            return Ok(Undefined);
-        };
-        let Some(pieces) = self.pieces(&weights, scope)? else {
-            return self.value(None, scope)?.finite("a mean", |body| {
-                f(body)?.finite("a mean", |body| {
-                    self.mean_of_function(body, &weights, scope)
-                })
-            });
-        };
-        let mut parts = vec![];
-        for piece in pieces {
-            match self.value(Some(&piece), scope)? {
-                Value(body) => match f(body)? {
-                    Value(body) => parts.push((body.open(), piece)),
-                    other => return other.finite("a mean", |_| Ok(Undefined)),
-                },
-                Undefined => return Ok(Undefined),
-                _ => return Err(unsupported("the mean of something infinite")),
-            }
-        }
-        let (weight, symbol, budget) = (&weights[0], self.symbols[0], scope.budget());
-        add_pieces(&parts, symbol, scope, |function, piece| {
-            integrate::map_terms(function, symbol, budget, |factor| {
-                weight.mean_between(factor, &piece.from, &piece.to, budget)
-            })
-        })
-    }
-
-    /// The mean over all draws, one after the other: they are independent.
-    fn mean_of_function(&self, body: Quantity, weights: &[Weight], scope: &Scope) -> Evaluation {
-        let budget = scope.budget();
-        let mut total = Value(body);
-        for (symbol, weight) in self.symbols.iter().zip(weights) {
-            total = total.finite("a mean over several draws", |body| {
-                if matches!(&body, Quantity::Open(f) if f.mentions(*symbol)) {
-                    integrate::map_terms(&body.open(), *symbol, budget, |f| weight.mean(f, budget))
-                } else {
-                    Ok(Value(body))
-                }
-            })?;
-        }
-        Ok(total)
-    }
-}
-
-fn mean_of(body: &Body, scope: &Scope) -> Evaluation {
-    body.mean(scope, |body| Ok(Value(body)))
-}
-
-/// E[X^2] - E[X]^2; no value where the mean is not finite, infinite where only E[X^2] is.
-fn variance_of(body: &Body, scope: &Scope) -> Evaluation {
-    let budget = scope.budget();
-    let mean = match mean_of(body, scope)? {
-        Value(mean) => mean,
-        _ => return Ok(Undefined),
-    };
-    let square = body.mean(scope, |body| body.power(2, budget))?;
-    let minus = mean.power(2, budget)?.map(|square| square);
-    let minus = negate(minus, scope)?;
-    outcome::add(square, minus, |a, b| Ok(Value(a.add(b, budget)?)))
-}
-
-/// `density(X, x)` or `cdf(X, x)`.
-fn at_draw(quantity: &Formula, x: &Formula, cumulative: bool, scope: &Scope) -> Evaluation {
-    if let Some(draw) = law::named_draw(quantity, scope)? {
-        return match value(x, scope)? {
-            Value(x) => law::at_place(draw, x, cumulative, scope),
-            Undefined => Ok(Undefined),
-            PlusInfinity if cumulative => number(Rational::from(1)),
-            _ => number(Rational::new()),
-        };
-    }
-    if !cumulative {
-        return Err(unsupported("the density of a function of draws"));
-    }
-    let below = Condition::Chain(
-        quantity.clone(),
-        vec![(crate::formula::Relation::LessEqual, x.clone())],
-    );
-    let names = Part::Formula(quantity).free_names();
-    let draws = scope.draws_among(&names)?;
-    let shadowed = Part::Formula(x)
-        .free_names()
-        .iter()
-        .any(|n| draws.iter().any(|d| d.name == *n));
-    if shadowed {
-        return Err(unsupported("a place that is named like a draw"));
-    }
-    over_draws(Part::Condition(&below), &None, scope, mean_of)
 }

@@ -14,11 +14,15 @@ use rug::ops::Pow;
 use std::cmp::Ordering;
 
 /// No polynomial is expanded beyond this degree.
-const MAX_DEGREE: u64 = 20_000;
+const MAX_DEGREE: u64 = 4_096;
 /// No polynomial is expanded whose coefficients would take more bits together.
-const MAX_POLYNOMIAL_BITS: u64 = 1 << 28;
+const MAX_POLYNOMIAL_BITS: u64 = 1 << 26;
 /// No number grows beyond so many bits.
 pub(super) const MAX_BITS: u64 = 1 << 22;
+
+/// No single operation spends more steps: an attempt at a closed form must not eat the budget that
+/// enclosures would need.
+pub(super) const MAX_COST: u64 = 1 << 22;
 
 /// A polynomial, lowest coefficient first, without leading zeros; the empty one is 0.
 pub(super) type Polynomial = Vec<Rational>;
@@ -422,7 +426,11 @@ pub(super) fn multiply(
     let size = largest_bits(a) + largest_bits(b);
     let products = (a.len() as u64).saturating_mul(b.len() as u64);
     allow((a.len() + b.len()) as u64, size, budget)?;
-    budget.spend(products.saturating_mul(1 + size / 64))?;
+    let cost = products.saturating_mul(1 + size / 64);
+    if cost > MAX_COST {
+        return Err(Failure::TooLarge("a product of polynomials".into()));
+    }
+    budget.spend(cost)?;
     let mut product = vec![Rational::new(); a.len() + b.len() - 1];
     for (i, left) in a.iter().enumerate() {
         if *left == 0 {
@@ -463,8 +471,7 @@ pub(super) fn evaluate(polynomial: &[Rational], x: &Rational) -> Rational {
 
 fn derivative(polynomial: &[Rational]) -> Polynomial {
     let rest = polynomial.iter().enumerate().skip(1);
-    rest.map(|(j, c)| Rational::from(c * Rational::from(j)))
-        .collect()
+    rest.map(|(j, c)| c * Rational::from(j)).collect()
 }
 
 /// Quotient and remainder of division by `x - root` (synthetic division).

@@ -3,7 +3,7 @@
 //! and roots of numbers some power of which is rational, `hyp2f1` at integer parameters.
 
 use super::closed::{ln_of, rational, sign, times, to_power};
-use super::fraction::{Fraction, MAX_BITS, bits, power};
+use super::fraction::{Fraction, MAX_BITS, MAX_COST, bits, power};
 use super::integrate::{Bound, definite};
 use super::{Failure, Outcome, unsupported};
 use crate::formula::Budget;
@@ -151,7 +151,7 @@ pub(super) fn lngamma(x: &Rational, budget: &Budget) -> Closed {
 pub(super) fn pochhammer(a: &Rational, n: &Integer, budget: &Budget) -> Closed {
     let count = n.to_i64().ok_or_else(|| too_large("a product"))?;
     let start = if count < 0 {
-        Rational::from(a + Rational::from(count))
+        a + Rational::from(count)
     } else {
         a.clone()
     };
@@ -172,21 +172,20 @@ pub(super) fn pochhammer(a: &Rational, n: &Integer, budget: &Budget) -> Closed {
 pub(super) fn rising(a: &Rational, n: u64, budget: &Budget) -> Result<Rational, Failure> {
     let step = bits(a).saturating_add(u64::from(u64::BITS - n.leading_zeros()));
     let size = n.saturating_mul(step);
-    let last = Rational::from(a + Rational::from(n));
+    let last = a + Rational::from(n);
     let passes_zero =
         *a.denom() == 1 && a.cmp0() != Ordering::Greater && last.cmp0() == Ordering::Greater;
     if passes_zero {
         return Ok(Rational::new());
     }
-    if size > MAX_BITS {
+    let cost = n.saturating_mul(1 + size / 128);
+    if size > MAX_BITS || cost > MAX_COST {
         return Err(too_large("a product"));
     }
-    budget.spend(1 + n.saturating_mul(1 + size / 128))?;
+    budget.spend(1 + cost)?;
     let mut product = Rational::from(1);
-    let mut factor = a.clone();
-    for _ in 0..n {
-        product *= &factor;
-        factor += 1u32;
+    for j in 0..n {
+        product *= a.clone() + j;
     }
     Ok(product)
 }
@@ -207,7 +206,7 @@ pub(super) fn binomial(n: &Rational, k: &Rational, budget: &Budget) -> Closed {
         }
         k = k.min(rest);
     }
-    let above = Rational::from(n - Rational::from(&k)) + 1u32;
+    let above = (n - Rational::from(&k)) + 1u32;
     let count = k
         .to_u64()
         .ok_or_else(|| too_large("a binomial coefficient"))?;
@@ -319,10 +318,11 @@ fn terminating_sum([a, b, c, z]: [&Rational; 4], n: &Integer, budget: &Budget) -
         .ok_or_else(|| too_large("a hypergeometric sum"))?;
     let step = bits(a) + bits(b) + bits(c) + bits(z) + 4 * u64::from(64 - n.leading_zeros());
     let size = n.saturating_mul(step);
-    if size > MAX_BITS {
+    let cost = n.saturating_mul(1 + size / 64);
+    if size > MAX_BITS || cost > MAX_COST {
         return Err(too_large("a hypergeometric sum"));
     }
-    budget.spend(1 + n.saturating_mul(1 + size / 64))?;
+    budget.spend(1 + cost)?;
     let mut term = Rational::from(1);
     let mut sum = Rational::from(1);
     for j in 0..n {

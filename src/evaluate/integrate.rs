@@ -277,7 +277,7 @@ fn rational_part(
     let inverse = Rational::from(d.recip_ref());
     let mut value = Rational::new();
     for (index, coefficient) in higher.iter().enumerate().rev() {
-        value -= Rational::from(coefficient / Rational::from(index as u64 + 1));
+        value -= coefficient / Rational::from(index as u64 + 1);
         value *= &inverse;
     }
     Ok(value)
@@ -286,7 +286,7 @@ fn rational_part(
 pub(super) fn antiderivative(polynomial: &[Rational]) -> Polynomial {
     let mut integral = vec![Rational::new()];
     let terms = polynomial.iter().enumerate();
-    integral.extend(terms.map(|(j, c)| Rational::from(c / Rational::from(j as u64 + 1))));
+    integral.extend(terms.map(|(j, c)| c / Rational::from(j as u64 + 1)));
     integral
 }
 
@@ -317,7 +317,7 @@ fn at_bound(parts: &Parts, bound: &Bound, budget: &Budget) -> Result<Exact, Fail
             };
             let factor = match index {
                 0 => coefficient.clone(),
-                _ => -Rational::from(coefficient / Rational::from(index as u64)),
+                _ => -(coefficient / Rational::from(index as u64)),
             };
             sum = plus(&sum, &times(&part, &rational(factor), budget)?, budget)?;
         }

@@ -24,6 +24,9 @@ use std::cmp::Ordering;
 
 use Outcome::{Undefined, Value};
 
+/// The weight of a beta law is written out up to this sum of its parameters.
+const MAX_SUM: i64 = 4096;
+
 /// A law at a point.
 #[derive(Clone, Debug)]
 pub(super) enum Weight {
@@ -137,8 +140,8 @@ fn order_statistic(
             l: l.into_numer_denom().0,
             m: m.into_numer_denom().0,
             density: base.density(scope.budget())?,
-            from: base.from_end(),
-            to: base.to_end(),
+            from: base.lower_end(),
+            to: base.upper_end(),
         }),
         _ => Undefined,
     })
@@ -185,14 +188,14 @@ fn density_law(
 }
 
 impl Weight {
-    fn from_end(&self) -> Exact {
+    fn lower_end(&self) -> Exact {
         match self {
             Weight::Beta(..) => rational(Rational::new()),
             Weight::Density { from, .. } | Weight::Order { from, .. } => from.clone(),
         }
     }
 
-    fn to_end(&self) -> Exact {
+    fn upper_end(&self) -> Exact {
         match self {
             Weight::Beta(..) => rational(Rational::from(1)),
             Weight::Density { to, .. } | Weight::Order { to, .. } => to.clone(),
@@ -201,12 +204,12 @@ impl Weight {
 
     /// The lower end of the support.
     pub fn from(&self) -> Bound {
-        Bound::Finite(self.from_end())
+        Bound::Finite(self.lower_end())
     }
 
     /// The upper end of the support.
     pub fn to(&self) -> Bound {
-        Bound::Finite(self.to_end())
+        Bound::Finite(self.upper_end())
     }
 
     /// The density inside the support, as a weight of means.
@@ -267,7 +270,7 @@ impl Weight {
             ));
         }
         let integral = integrate::antiderivative(&split.expanded_numerator(budget)?);
-        let start = integrate::at_quantity(&integral, &Quantity::Closed(self.from_end()), budget)?
+        let start = integrate::at_quantity(&integral, &Quantity::Closed(self.lower_end()), budget)?
             .closed("a cdf")?
             .as_rational()
             .ok_or_else(|| unsupported("the cdf of a law with an irrational end"))?;
@@ -364,7 +367,7 @@ fn beta_density(a: &Rational, b: &Rational, budget: &Budget) -> Result<Fraction,
             "a beta law with parameters that are no integers",
         ));
     }
-    if left.checked_add(right).is_none() {
+    if left.saturating_add(right) > MAX_SUM {
         return Err(Failure::TooLarge("a law's parameter".into()));
     }
     let ways = multiplicity(left, right - 1, budget)?;
@@ -392,8 +395,8 @@ fn beta_moments(
     if others.is_zero() {
         return Ok(Value(rational(zero)));
     }
-    let diverges = Rational::from(a + Rational::from(p)).cmp0() != Ordering::Greater
-        || Rational::from(b + Rational::from(q)).cmp0() != Ordering::Greater;
+    let diverges = (a + Rational::from(p)).cmp0() != Ordering::Greater
+        || (b + Rational::from(q)).cmp0() != Ordering::Greater;
     if diverges {
         let ends = (Bound::Finite(rational(zero)), Bound::Finite(rational(one)));
         return integrate::infinite(sign::on(function, &ends.0, &ends.1, budget)?);
@@ -408,29 +411,22 @@ fn beta_moments(
         .ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
     moment /= shift(&sum, total, budget)?;
     let mut mean = Rational::new();
-    let mut above = Rational::from(a + Rational::from(p));
-    let mut below = sum + Rational::from(total);
-    for coefficient in &polynomial {
+    let above = a.clone() + p;
+    let below = sum + total;
+    for (index, coefficient) in polynomial.iter().enumerate() {
         budget.spend(1 + super::fraction::bits(&moment) / 64)?;
         mean += Rational::from(coefficient * &moment);
-        moment *= &above;
-        moment /= &below;
-        above += 1u32;
-        below += 1u32;
+        moment *= above.clone() + index as u64;
+        moment /= below.clone() + index as u64;
     }
     Ok(Value(rational(mean)))
 }
 
 /// gamma(a + n)/gamma(a) for a > 0, a + n > 0.
-fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
+pub(super) fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
     let product = match n {
         0.. => functions::rising(a, n.unsigned_abs(), budget)?,
-        _ => functions::rising(
-            &Rational::from(a + Rational::from(n)),
-            n.unsigned_abs(),
-            budget,
-        )?
-        .recip(),
+        _ => functions::rising(&(a + Rational::from(n)), n.unsigned_abs(), budget)?.recip(),
     };
     Ok(product)
 }
@@ -450,10 +446,12 @@ pub(super) fn at_place(
         return Ok(Undefined);
     };
     let outside = |value: u32| Ok(Value(Quantity::rational(Rational::from(value))));
-    if super::closed::sign(&minus(&place, &weight.from_end(), scope.budget())?)? == Ordering::Less {
+    if super::closed::sign(&minus(&place, &weight.lower_end(), scope.budget())?)? == Ordering::Less
+    {
         return outside(0);
     }
-    if super::closed::sign(&minus(&place, &weight.to_end(), scope.budget())?)? == Ordering::Greater
+    if super::closed::sign(&minus(&place, &weight.upper_end(), scope.budget())?)?
+        == Ordering::Greater
     {
         return outside(u32::from(cumulative));
     }

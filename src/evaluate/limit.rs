@@ -221,7 +221,7 @@ fn continuous_integrand(
         ));
     };
     let width = Rational::from(&high - &low);
-    let mark = |part: u32| Rational::from(&width * Rational::from((part, PARTS))) + &low;
+    let mark = |part: u32| (&width * Rational::from((part, PARTS))) + &low;
     for part in 0..PARTS {
         let start = Interval::from_rational(&mark(part), 64);
         let piece = start.hull(&Interval::from_rational(&mark(part + 1), 64));
