@@ -61,6 +61,9 @@ pub(super) struct Case<'a> {
 /// Orders beyond the gauge that are told.
 const FURTHER: i64 = 3;
 
+/// Gauges of a higher order than this are refused.
+const MAX_EXPONENT: u64 = 64;
+
 /// Judges one expansion link of a proposition.
 ///
 /// # Errors
@@ -157,7 +160,8 @@ impl Case<'_> {
             return Ok(ExpansionVerdict::Vacuous { why });
         }
         let gauge = self.gauge(&approach)?;
-        let difference = self.expansion(&self.comparison.difference, &approach, gauge.order)?;
+        let difference =
+            self.expansion(&self.comparison.difference, &approach, gauge.exponent + 1)?;
         let moving: Vec<&Name> = uniformly
             .iter()
             .filter(|name| {
@@ -282,11 +286,11 @@ impl Case<'_> {
             parts.push(part);
         }
         let exponent = weakest.ok_or_else(|| Reason::Unsupported("no gauge".into()))?;
-        Ok(Gauge {
-            parts,
-            exponent,
-            order: exponent.saturating_add(FURTHER + 1),
-        })
+        // What is compared are small numbers; a gauge beyond is no text that a person writes.
+        if exponent.unsigned_abs() > MAX_EXPONENT {
+            return Err(Reason::TooLarge("the gauge's exponent is too large".into()));
+        }
+        Ok(Gauge { parts, exponent })
     }
 
     fn compare(
@@ -325,12 +329,10 @@ impl Case<'_> {
                 self.show_sign(Sign::NonZero, lead.numerator())?;
             }
         }
-        let left = self.expansion(&self.comparison.left, approach, gauge.order)?;
-        let remainder = match difference.series.valuation() {
-            None => "0".to_string(),
-            Some(exponent) => format!("O({})", approach.power_text(exponent)),
-        };
-        let further = approach.series_text(&left.series.truncate(gauge.order));
+        let order = gauge.exponent + FURTHER + 1;
+        let left = self.expansion(&self.comparison.left, approach, order)?;
+        let remainder = remainder_text(approach, difference);
+        let further = approach.series_text(&left.series.truncate(order));
         Ok(ExpansionVerdict::Holds {
             further: Some(further),
             remainder,
@@ -480,8 +482,6 @@ impl Case<'_> {
 struct Gauge {
     parts: Vec<Expansion>,
     exponent: i64,
-    /// All terms of the difference below it are looked at.
-    order: i64,
 }
 
 /// An obligation near the target: the sign of its leading coefficient.
@@ -528,6 +528,23 @@ fn paths(approach: &Approach, uniformly: &[Name]) -> Vec<Vec<(Name, Polynomial)>
     }
     paths.push(Vec::new());
     paths
+}
+
+/// The order of a difference as text. A remainder `O(t^N)` may hide logarithms, where the variable's
+/// own occurs; it is then told as `o(t^(N-1))`.
+fn remainder_text(approach: &Approach, difference: &Expansion) -> String {
+    let log = approach.log_symbol();
+    match (difference.series.leading(), difference.series.order()) {
+        (Some((exponent, coefficient)), _) if coefficient.contains(&log) => {
+            format!("O({})", approach.term_text(coefficient, exponent))
+        }
+        (Some((exponent, _)), _) => format!("O({})", approach.power_text(exponent)),
+        (None, Some(order)) if difference.logarithms.contains_key(&log) => {
+            format!("o({})", approach.power_text(order - 1))
+        }
+        (None, Some(order)) => format!("O({})", approach.power_text(order)),
+        (None, None) => "0".to_string(),
+    }
 }
 
 fn not_shown(sign: Sign, polynomial: &Polynomial) -> Reason {

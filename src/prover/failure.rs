@@ -56,7 +56,7 @@ impl Failure<'_> {
             .map(|name| candidates(facts.is_integer(name)))
             .collect();
         let mut tried = 0;
-        for total in 0..choices.iter().map(Vec::len).sum::<usize>() {
+        for total in 0..=choices.iter().map(Vec::len).sum::<usize>() {
             for indices in compositions(total, &choices, MAX_POINTS) {
                 tried += 1;
                 if tried > MAX_POINTS {
