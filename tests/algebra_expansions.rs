@@ -474,3 +474,30 @@ mod series_and_values {
         }
     }
 }
+
+#[test]
+fn limits_in_turn() {
+    let variance = "var(I*k/(n*r))";
+    holds(&photons(&format!(
+        "{variance} ~ I^2/k as n -> inf then k -> inf"
+    )));
+    fails(&photons(&format!(
+        "{variance} ~ 2*I^2/k as n -> inf then k -> inf"
+    )));
+    holds(&photons(&format!(
+        "{variance} == I^2/k + O(1/k^2) as n -> inf then k -> inf"
+    )));
+    fails(&photons(&format!(
+        "{variance} == I^2/k + O(1/k^3) as n -> inf then k -> inf"
+    )));
+    holds(&photons(&format!(
+        "{variance} == I^2/k + O(1/k^2) + O(1/n) as n -> inf then k -> inf"
+    )));
+    let (term, _) = fails(&photons(&format!(
+        "{variance} == I^2/k - I^2/n + O(1/(n*k)) as n -> inf then k -> inf"
+    )));
+    assert_eq!(term, "4*I^2/k^2");
+    vacuous(&photons(&format!(
+        "{variance} ~ I^2/k as k -> inf then n -> inf"
+    )));
+}

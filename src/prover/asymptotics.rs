@@ -9,7 +9,7 @@
 use super::domain::{Facts, Sign};
 use super::expansion::{Expansion, Obligation, expand};
 use super::failure::Failure;
-use super::{Approach, Reason, Side, joint};
+use super::{Approach, Reason, Side, joint, turn};
 use crate::algebra::{Polynomial, RationalFunction};
 use crate::formula::{
     Budget, Formula, Name, Operator, Part, Point, Proposition, Regime, Relation, Target, Tendency,
@@ -95,7 +95,11 @@ pub fn judge_expansion(
                 "a joint limit that is uniform in more".into(),
             )),
         },
-        _ => Err(Reason::Unsupported("limits in turn".into())),
+        [outer, inner] if regime.uniformly.is_empty() => match (&outer[..], &inner[..]) {
+            ([outer], [inner]) => turn::judge_turn(&case, outer, inner),
+            _ => Err(Reason::Unsupported("joint limits in turn".into())),
+        },
+        _ => Err(Reason::Unsupported("these limits in turn".into())),
     }
 }
 
@@ -208,7 +212,7 @@ impl Case<'_> {
         }
     }
 
-    fn approach(&self, tendency: &Tendency) -> Result<Approach, Reason> {
+    pub(super) fn approach(&self, tendency: &Tendency) -> Result<Approach, Reason> {
         let Formula::Name(name) = &tendency.quantity else {
             return Err(Reason::Unsupported("a limit of what is no name".into()));
         };
@@ -247,7 +251,11 @@ impl Case<'_> {
 
     /// Whether an inequality of the domain fails near the target for every value of the names that
     /// are held fixed.
-    fn vacuous(&self, approach: &Approach, uniformly: &[Name]) -> Result<Option<String>, Reason> {
+    pub(super) fn vacuous(
+        &self,
+        approach: &Approach,
+        uniformly: &[Name],
+    ) -> Result<Option<String>, Reason> {
         for inequality in self.facts.inequalities() {
             let difference = &inequality.difference;
             let moves = uniformly.iter().any(|name| difference.contains(name));
@@ -374,7 +382,7 @@ impl Case<'_> {
         }
     }
 
-    fn show_sign(&self, sign: Sign, polynomial: &Polynomial) -> Result<(), Reason> {
+    pub(super) fn show_sign(&self, sign: Sign, polynomial: &Polynomial) -> Result<(), Reason> {
         match self.facts.shows(sign, polynomial, self.budget)? {
             true => Ok(()),
             false => Err(not_shown(sign, polynomial)),
@@ -485,7 +493,7 @@ struct Gauge {
 }
 
 /// An obligation near the target: the sign of its leading coefficient.
-fn near(
+pub(super) fn near(
     obligation: &Obligation,
     approach: &Approach,
     budget: &Budget,

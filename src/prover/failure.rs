@@ -124,6 +124,11 @@ impl Failure<'_> {
         coefficient: &RationalFunction,
         values: &Values,
     ) -> Result<bool, Reason> {
+        for atom in coefficient.denominator().keys() {
+            if atom.evaluate(values, self.budget)?.is_zero() {
+                return Ok(false);
+            }
+        }
         let numerator = coefficient.numerator().evaluate(values, self.budget)?;
         let symbols = numerator.symbols();
         // pi is transcendental, and the variable's logarithm grows: a polynomial in one of them
