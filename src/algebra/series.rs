@@ -318,9 +318,9 @@ impl Series {
         let mut logarithm: Vec<RationalFunction> = Vec::new();
         for n in 0..normal.tail.len() {
             let mut sum = RationalFunction::zero();
-            for i in 1..n {
+            for (i, known) in logarithm.iter().enumerate().skip(1) {
                 let weight = RationalFunction::constant(Rational::from((-signed(i), signed(n))));
-                let term = logarithm[i]
+                let term = known
                     .mul(&normal.tail[n - i], budget)?
                     .mul(&weight, budget)?;
                 sum = sum.add(&term, budget)?;

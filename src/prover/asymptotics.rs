@@ -9,7 +9,7 @@
 use super::domain::{Facts, Sign};
 use super::expansion::{Expansion, Obligation, expand};
 use super::failure::Failure;
-use super::{Approach, Reason, Side, joint};
+use super::{Approach, Reason, Side, joint, turn};
 use crate::algebra::{Polynomial, RationalFunction};
 use crate::formula::{
     Budget, Formula, Name, Operator, Part, Point, Proposition, Regime, Relation, Target, Tendency,
@@ -61,6 +61,9 @@ pub(super) struct Case<'a> {
 /// Orders beyond the gauge that are told.
 const FURTHER: i64 = 3;
 
+/// Gauges of a higher order than this are refused.
+const MAX_EXPONENT: u64 = 64;
+
 /// Judges one expansion link of a proposition.
 ///
 /// # Errors
@@ -92,7 +95,11 @@ pub fn judge_expansion(
                 "a joint limit that is uniform in more".into(),
             )),
         },
-        _ => Err(Reason::Unsupported("limits in turn".into())),
+        [outer, inner] if regime.uniformly.is_empty() => match (&outer[..], &inner[..]) {
+            ([outer], [inner]) => turn::judge_turn(&case, outer, inner),
+            _ => Err(Reason::Unsupported("joint limits in turn".into())),
+        },
+        _ => Err(Reason::Unsupported("these limits in turn".into())),
     }
 }
 
@@ -157,7 +164,8 @@ impl Case<'_> {
             return Ok(ExpansionVerdict::Vacuous { why });
         }
         let gauge = self.gauge(&approach)?;
-        let difference = self.expansion(&self.comparison.difference, &approach, gauge.order)?;
+        let difference =
+            self.expansion(&self.comparison.difference, &approach, gauge.exponent + 1)?;
         let moving: Vec<&Name> = uniformly
             .iter()
             .filter(|name| {
@@ -204,7 +212,7 @@ impl Case<'_> {
         }
     }
 
-    fn approach(&self, tendency: &Tendency) -> Result<Approach, Reason> {
+    pub(super) fn approach(&self, tendency: &Tendency) -> Result<Approach, Reason> {
         let Formula::Name(name) = &tendency.quantity else {
             return Err(Reason::Unsupported("a limit of what is no name".into()));
         };
@@ -243,7 +251,11 @@ impl Case<'_> {
 
     /// Whether an inequality of the domain fails near the target for every value of the names that
     /// are held fixed.
-    fn vacuous(&self, approach: &Approach, uniformly: &[Name]) -> Result<Option<String>, Reason> {
+    pub(super) fn vacuous(
+        &self,
+        approach: &Approach,
+        uniformly: &[Name],
+    ) -> Result<Option<String>, Reason> {
         for inequality in self.facts.inequalities() {
             let difference = &inequality.difference;
             let moves = uniformly.iter().any(|name| difference.contains(name));
@@ -282,11 +294,11 @@ impl Case<'_> {
             parts.push(part);
         }
         let exponent = weakest.ok_or_else(|| Reason::Unsupported("no gauge".into()))?;
-        Ok(Gauge {
-            parts,
-            exponent,
-            order: exponent.saturating_add(FURTHER + 1),
-        })
+        // What is compared are small numbers; a gauge beyond is no text that a person writes.
+        if exponent.unsigned_abs() > MAX_EXPONENT {
+            return Err(Reason::TooLarge("the gauge's exponent is too large".into()));
+        }
+        Ok(Gauge { parts, exponent })
     }
 
     fn compare(
@@ -325,12 +337,10 @@ impl Case<'_> {
                 self.show_sign(Sign::NonZero, lead.numerator())?;
             }
         }
-        let left = self.expansion(&self.comparison.left, approach, gauge.order)?;
-        let remainder = match difference.series.valuation() {
-            None => "0".to_string(),
-            Some(exponent) => format!("O({})", approach.power_text(exponent)),
-        };
-        let further = approach.series_text(&left.series.truncate(gauge.order));
+        let order = gauge.exponent + FURTHER + 1;
+        let left = self.expansion(&self.comparison.left, approach, order)?;
+        let remainder = remainder_text(approach, difference);
+        let further = approach.series_text(&left.series.truncate(order));
         Ok(ExpansionVerdict::Holds {
             further: Some(further),
             remainder,
@@ -372,7 +382,7 @@ impl Case<'_> {
         }
     }
 
-    fn show_sign(&self, sign: Sign, polynomial: &Polynomial) -> Result<(), Reason> {
+    pub(super) fn show_sign(&self, sign: Sign, polynomial: &Polynomial) -> Result<(), Reason> {
         match self.facts.shows(sign, polynomial, self.budget)? {
             true => Ok(()),
             false => Err(not_shown(sign, polynomial)),
@@ -480,12 +490,10 @@ impl Case<'_> {
 struct Gauge {
     parts: Vec<Expansion>,
     exponent: i64,
-    /// All terms of the difference below it are looked at.
-    order: i64,
 }
 
 /// An obligation near the target: the sign of its leading coefficient.
-fn near(
+pub(super) fn near(
     obligation: &Obligation,
     approach: &Approach,
     budget: &Budget,
@@ -528,6 +536,23 @@ fn paths(approach: &Approach, uniformly: &[Name]) -> Vec<Vec<(Name, Polynomial)>
     }
     paths.push(Vec::new());
     paths
+}
+
+/// The order of a difference as text. A remainder `O(t^N)` may hide logarithms, where the variable's
+/// own occurs; it is then told as `o(t^(N-1))`.
+fn remainder_text(approach: &Approach, difference: &Expansion) -> String {
+    let log = approach.log_symbol();
+    match (difference.series.leading(), difference.series.order()) {
+        (Some((exponent, coefficient)), _) if coefficient.contains(&log) => {
+            format!("O({})", approach.term_text(coefficient, exponent))
+        }
+        (Some((exponent, _)), _) => format!("O({})", approach.power_text(exponent)),
+        (None, Some(order)) if difference.logarithms.contains_key(&log) => {
+            format!("o({})", approach.power_text(order - 1))
+        }
+        (None, Some(order)) => format!("O({})", approach.power_text(order)),
+        (None, None) => "0".to_string(),
+    }
 }
 
 fn not_shown(sign: Sign, polynomial: &Polynomial) -> Reason {

@@ -633,7 +633,8 @@ pub fn expand(
     draws: &[Draw],
     budget: &Budget,
 ) -> Result<Expansion, Reason> {
-    let mut terms = order.clamp(0, MAX_TERMS) + 4;
+    // Most bodies lose no more than one order to a factor such as k.
+    let mut terms = order.clamp(0, MAX_TERMS) + 1;
     loop {
         let expander = Expander::new(Some(approach), terms, draws, budget);
         let series = expander.closed(formula).and_then(|value| {
@@ -663,6 +664,6 @@ pub fn expand(
                 )),
             };
         }
-        terms = (2 * terms).min(MAX_TERMS);
+        terms = (terms + terms / 2 + 2).min(MAX_TERMS);
     }
 }

@@ -56,7 +56,7 @@ impl Failure<'_> {
             .map(|name| candidates(facts.is_integer(name)))
             .collect();
         let mut tried = 0;
-        for total in 0..choices.iter().map(Vec::len).sum::<usize>() {
+        for total in 0..=choices.iter().map(Vec::len).sum::<usize>() {
             for indices in compositions(total, &choices, MAX_POINTS) {
                 tried += 1;
                 if tried > MAX_POINTS {
@@ -124,6 +124,11 @@ impl Failure<'_> {
         coefficient: &RationalFunction,
         values: &Values,
     ) -> Result<bool, Reason> {
+        for atom in coefficient.denominator().keys() {
+            if atom.evaluate(values, self.budget)?.is_zero() {
+                return Ok(false);
+            }
+        }
         let numerator = coefficient.numerator().evaluate(values, self.budget)?;
         let symbols = numerator.symbols();
         // pi is transcendental, and the variable's logarithm grows: a polynomial in one of them

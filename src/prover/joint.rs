@@ -24,6 +24,7 @@ use super::failure::Failure;
 use super::{Approach, Reason};
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Formula, Name, Operator, Target, Tendency};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// How the second large variable behaves.
@@ -177,8 +178,11 @@ fn judge(case: &Case<'_>, limit: &Limit) -> Result<ExpansionVerdict, Reason> {
         Err(reason) => reason,
     };
     for path in limit.paths() {
-        if let Some(verdict) = along(case, limit, &exact, &path)? {
-            return Ok(verdict);
+        match along(case, limit, &exact, &path) {
+            Ok(Some(verdict)) => return Ok(verdict),
+            Err(Reason::Exhausted) => return Err(Reason::Exhausted),
+            // A denominator may vanish on this path; another may do.
+            Ok(None) | Err(_) => {}
         }
     }
     Err(why)
@@ -423,6 +427,8 @@ fn along(
     path: &[(Name, Polynomial)],
 ) -> Result<Option<ExpansionVerdict>, Reason> {
     let approach = Approach::Infinity(limit.base.clone());
+    // The leading coefficients of denominators, which must not vanish at the point either.
+    let heads = RefCell::new(Vec::new());
     let leading = |value: &RationalFunction| -> Result<Option<(i64, RationalFunction)>, Reason> {
         let mut value = value.clone();
         for (name, image) in path {
@@ -436,6 +442,7 @@ fn along(
         for (atom, count) in value.denominator() {
             let series = approach.polynomial(atom, case.budget)?;
             if let Some((shift, factor)) = series.leading() {
+                heads.borrow_mut().push(factor.clone());
                 exponent -= shift * i64::from(*count);
                 head = head.mul(&factor.powi(-i64::from(*count), case.budget)?, case.budget)?;
             }
@@ -462,6 +469,7 @@ fn along(
     if exponent > weakest || (exponent == weakest && !case.comparison.little) {
         return Ok(None);
     }
+    nonzero.extend(heads.take());
     let failure = Failure {
         approach: &approach,
         nonzero,

@@ -10,6 +10,7 @@ mod gamma;
 mod integral;
 mod joint;
 mod moment;
+mod turn;
 
 pub use approach::{Approach, Side};
 pub use asymptotics::{ExpansionVerdict, judge_expansion};

@@ -22,6 +22,9 @@ use std::collections::BTreeMap;
 /// Moments beyond this are refused.
 const MAX_MOMENT: u64 = 256;
 
+/// The draws that a mean is over, by the symbols that stand for them.
+type Draws<'d> = Vec<(Symbol, &'d Law)>;
+
 /// How the powers of a draw are averaged.
 enum Moments {
     Beta(RationalFunction, RationalFunction),
@@ -72,7 +75,7 @@ impl Expander<'_> {
         body: &Formula,
         own: Option<&'d Draw>,
         scope: &Scope,
-    ) -> Result<(Value, Vec<(Symbol, &'d Law)>), Reason> {
+    ) -> Result<(Value, Draws<'d>), Reason> {
         let Some(draw) = own else {
             let draws = self.draws.iter().map(|draw| (draw.name.clone(), &draw.law));
             return Ok((self.value(body, scope)?, draws.collect()));
