@@ -4,13 +4,37 @@
 //! inside a `claim` or `define` fence is ours. [`read`] gives every claim with the place it stands at;
 //! [`Claim::printed`] and [`Claim::mended`] unfold it to the proposition that is judged.
 
+mod expect;
+mod line;
+mod markdown;
+mod read;
+mod resolve;
+mod scope;
+mod typing;
+mod unfold;
+
+pub use read::{FileError, read, read_text};
+pub use unfold::IllTyped;
+
 use crate::formula::{Condition, Draw, Formula, Name, Parameter, Regime, Statement};
+pub use scope::Places;
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 /// All claims of some chapters, in the order of files and lines.
 #[derive(Debug, Default)]
 pub struct Book {
     pub claims: Vec<Claim>,
+}
+
+impl Book {
+    /// The claims by their ids.
+    pub fn by_id(&self) -> HashMap<&str, &Claim> {
+        self.claims
+            .iter()
+            .map(|claim| (&*claim.id, claim))
+            .collect()
+    }
 }
 
 /// One `claim` block.
@@ -31,13 +55,16 @@ pub struct Claim {
     pub needs: Option<Needs>,
     /// The claim whose right side this line goes on from.
     pub after: Option<Name>,
-    /// `read REGIME`: the regime that takes the place of the statement's own.
+    /// `read REGIME`: takes the place of the statement's own regime. Where it names no limit, those of
+    /// the statement stay.
     pub read: Option<Regime>,
     pub slip: Option<String>,
     pub why: Option<String>,
     pub expect: Option<Expectation>,
     /// The text of the `expect` line as written.
     pub expect_text: Option<String>,
+    /// Where the symbols of the statements stand, for messages.
+    pub places: Places,
 }
 
 /// The symbols of a claim, in the order in which they are declared; a name is declared before it is used.

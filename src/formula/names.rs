@@ -1,6 +1,6 @@
 //! Free names, sizes, and the nearest known spelling.
 
-use super::{Condition, Draw, Formula, Law, Name, Regime, Statement, Target};
+use super::{Condition, Draw, Formula, Law, Name};
 use std::collections::BTreeSet;
 
 /// A part of a tree, one step down.
@@ -131,65 +131,6 @@ fn each_of_law<'a>(law: &'a Law, visit: &mut dyn FnMut(Part<'a>, &[&'a Name])) {
             visit(Part::Formula(to), &[]);
         }
         Law::Any => (),
-    }
-}
-
-/// Visits the formulas of a statement, each with the names that are bound in it.
-pub(crate) fn each_of_statement<'a>(
-    statement: &'a Statement,
-    visit: &mut dyn FnMut(Part<'a>, &[&'a Name]),
-) {
-    match statement {
-        Statement::Chain {
-            first,
-            links,
-            regime,
-        } => {
-            visit(Part::Formula(first), &[]);
-            for (_, right) in links {
-                visit(Part::Formula(right), &[]);
-            }
-            if let Some(regime) = regime {
-                each_of_regime(regime, visit);
-            }
-        }
-        Statement::All(items) => {
-            for item in items {
-                each_of_statement(item, visit);
-            }
-        }
-        Statement::Definition {
-            arguments,
-            body,
-            duties,
-            ..
-        } => {
-            let bound: Vec<&Name> = arguments.iter().collect();
-            visit(Part::Formula(body), &bound);
-            for duty in duties {
-                if let super::Duty::Density(from, to) | super::Duty::Cumulative(from, to) = duty {
-                    visit(Part::Formula(from), &[]);
-                    visit(Part::Formula(to), &[]);
-                }
-            }
-        }
-        Statement::Conditional { condition, .. } => visit(Part::Condition(condition), &[]),
-        Statement::Words | Statement::Empty => (),
-    }
-}
-
-fn each_of_regime<'a>(regime: &'a Regime, visit: &mut dyn FnMut(Part<'a>, &[&'a Name])) {
-    for tendency in regime.limits.iter().flatten() {
-        visit(Part::Formula(&tendency.quantity), &[]);
-        match &tendency.target {
-            Target::Infinity => (),
-            Target::Point(e) | Target::Above(e) | Target::Below(e) => {
-                visit(Part::Formula(e), &[]);
-            }
-        }
-    }
-    for (_, value) in &regime.along {
-        visit(Part::Formula(value), &[]);
     }
 }
 

@@ -140,6 +140,21 @@ impl Substitution {
         self.work().statement(statement, &self.values)
     }
 
+    /// A body with arguments, all replacements made but for the arguments, which may be renamed.
+    ///
+    /// # Errors
+    /// [`TooLarge`] when the result is.
+    pub fn lambda(
+        &self,
+        arguments: &[Name],
+        body: &Formula,
+    ) -> Result<(Vec<Name>, Formula), TooLarge> {
+        let mut work = self.work();
+        let binders: Vec<&Name> = arguments.iter().collect();
+        let (arguments, inner) = work.bind(&binders, Part::Formula(body), &self.values);
+        Ok((arguments, work.formula(body, &inner, 0)?))
+    }
+
     fn work(&self) -> Work<'_> {
         Work {
             functions: &self.functions,

@@ -1,0 +1,352 @@
+//! Claims to propositions: definitions unfolded, everything explicit.
+
+use super::resolve::Symbols;
+use super::scope::Place;
+use super::typing::{Culprit, check, draws_of, has_order};
+use super::{Claim, Scope};
+use crate::formula::parser::{Mention, MentionKind};
+use crate::formula::{
+    Condition, Draw, Formula, Name, Parameter, ParameterKind, Proposition, Regime, Span, Statement,
+    Substitution, TooLarge, free_names,
+};
+
+/// A statement that makes no sense as written, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct IllTyped {
+    pub message: String,
+    /// Bytes of the claim's file.
+    pub span: Span,
+}
+
+impl Claim {
+    /// The print as a proposition.
+    ///
+    /// # Errors
+    /// [`IllTyped`] where the statement makes no sense: a free name, a condition used as a number, a
+    /// draw outside a mean, an `O` on the left, or one too large to unfold.
+    pub fn printed(&self) -> Result<Proposition, IllTyped> {
+        self.unfolded(&self.says, &self.places.says, false)
+    }
+
+    /// The mended statement as a proposition: `mend`, or else `says`, under `needs`, which is the
+    /// last condition of the domain. `None` for a claim that has neither.
+    ///
+    /// # Errors
+    /// As [`Claim::printed`].
+    pub fn mended(&self) -> Option<Result<Proposition, IllTyped>> {
+        if self.mend.is_none() && self.needs.is_none() {
+            return None;
+        }
+        Some(match (&self.mend, &self.places.mend) {
+            (Some(mend), Some(place)) => self.unfolded(mend, place, true),
+            _ => self.unfolded(&self.says, &self.places.says, true),
+        })
+    }
+
+    /// The link to the claim that this one goes on from: the last right side of `before`, and the
+    /// first relation and right side of this print. `None` where there is no such link: for
+    /// statements that are no chains, and where `before` speaks of symbols that this claim does not
+    /// declare in the same way.
+    pub fn link(&self, before: &Claim) -> Option<Proposition> {
+        let left = last_right_side(&before.says).filter(|left| !has_order(left))?;
+        let left = Unfolding::new(&before.scope)
+            .ok()?
+            .substitution
+            .formula(left)
+            .ok()?;
+        let unfolding = Unfolding::new(&self.scope).ok()?;
+        if !self.shares_symbols(&unfolding, before, &left) {
+            return None;
+        }
+        let Statement::Chain { links, regime, .. } = first_chain(&self.says)? else {
+            return None;
+        };
+        let (relation, right) = links.first()?;
+        let right = unfolding.substitution.formula(right).ok()?;
+        let expands = has_order(&right) || relation_expands(*relation);
+        let regime = read_as(regime.as_ref(), self.read.as_ref()).filter(|_| expands);
+        let chain = Statement::Chain {
+            first: Formula::Pi,
+            links: Vec::new(),
+            regime,
+        };
+        let Statement::Chain { regime, .. } = unfolding.substitution.statement(&chain).ok()? else {
+            return None;
+        };
+        let statement = Statement::Chain {
+            first: left,
+            links: vec![(*relation, right)],
+            regime,
+        };
+        let proposition = unfolding.proposition(Vec::new(), statement);
+        check(&proposition).is_ok().then_some(proposition)
+    }
+
+    /// Whether every symbol of `left`, which is unfolded in the scope of `before`, means the same here.
+    fn shares_symbols(&self, here: &Unfolding, before: &Claim, left: &Formula) -> bool {
+        let Ok(there) = Unfolding::new(&before.scope) else {
+            return false;
+        };
+        let mut free = free_names(left);
+        free.extend(crate::formula::free_functions(left));
+        for draw in draws_of(&there.draws, left) {
+            if !here.draws.contains(draw) {
+                return false;
+            }
+            free.remove(&draw.name);
+            free.extend(crate::formula::Part::Law(&draw.law).free_names());
+        }
+        free.iter().all(|name| {
+            let kind = |list: &[Parameter]| {
+                let found = list.iter().find(|parameter| parameter.name == *name);
+                found.map(|parameter| parameter.kind.clone())
+            };
+            kind(&here.parameters).is_some_and(|here| Some(here) == kind(&there.parameters))
+        })
+    }
+
+    /// The statement in full; `place` tells where its symbols stand.
+    fn unfolded(
+        &self,
+        statement: &Statement,
+        place: &Place,
+        mended: bool,
+    ) -> Result<Proposition, IllTyped> {
+        let needs = self.needs.as_ref().filter(|_| mended);
+        if let (Statement::Conditional { condition, .. }, Some(target)) =
+            (statement, &self.places.target)
+        {
+            return self.conditional(condition, target, place, needs.map(|n| &n.condition));
+        }
+        let symbols = Symbols::of(&self.scope);
+        resolved(&symbols, place)?;
+        let mut conditions = Vec::new();
+        if let (Some(needs), Some(place)) = (needs, &self.places.needs) {
+            resolved(&symbols, place)?;
+            conditions.push(&needs.condition);
+        }
+        let statement = with_regime(statement, self.read.as_ref());
+        finish(&self.scope, &conditions, &statement, place)
+    }
+
+    /// `ID if COND`: the statement of ID, in its scope, with COND the last condition of the domain.
+    fn conditional(
+        &self,
+        condition: &Condition,
+        target: &Claim,
+        place: &Place,
+        needs: Option<&Condition>,
+    ) -> Result<Proposition, IllTyped> {
+        let symbols = Symbols::of(&target.scope);
+        resolved(&symbols, place)?;
+        let at_target = Place {
+            span: place.span,
+            mentions: Vec::new(),
+        };
+        if symbols.check(&target.places.says.mentions).is_err() {
+            return Err(IllTyped {
+                message: format!("the statement of `{}` makes no sense itself", target.id),
+                span: place.span,
+            });
+        }
+        let mut conditions = vec![condition];
+        if let (Some(needs), Some(place)) = (needs, &self.places.needs) {
+            resolved(&symbols, place)?;
+            conditions.push(needs);
+        }
+        let statement = with_regime(&target.says, target.read.as_ref());
+        finish(&target.scope, &conditions, &statement, &at_target)
+    }
+}
+
+fn resolved(symbols: &Symbols, place: &Place) -> Result<(), IllTyped> {
+    symbols.check(&place.mentions).map_err(|error| IllTyped {
+        message: match error.hint {
+            Some(hint) => format!("{}; {hint}", error.message),
+            None => error.message,
+        },
+        span: error.span,
+    })
+}
+
+/// Unfolds, then checks the result.
+fn finish(
+    scope: &Scope,
+    conditions: &[&Condition],
+    statement: &Statement,
+    place: &Place,
+) -> Result<Proposition, IllTyped> {
+    let too_large = |error: TooLarge| IllTyped {
+        message: error.to_string(),
+        span: place.span,
+    };
+    let unfolding = Unfolding::new(scope).map_err(too_large)?;
+    let last = conditions
+        .iter()
+        .map(|condition| unfolding.substitution.condition(condition))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(too_large)?;
+    let statement = unfolding
+        .substitution
+        .statement(statement)
+        .map_err(too_large)?;
+    let substitution = unfolding.substitution.clone();
+    let proposition = unfolding.proposition(last, statement);
+    check(&proposition).map_err(|fault| IllTyped {
+        span: place_of(&fault.culprit, place, &substitution),
+        message: fault.message,
+    })?;
+    Ok(proposition)
+}
+
+/// Where the symbol at fault stands: itself, or a definition that holds it.
+fn place_of(culprit: &Culprit, place: &Place, substitution: &Substitution) -> Span {
+    let holds = |mention: &&Mention| match culprit {
+        Culprit::Name(name) => {
+            let formula = match mention.kind {
+                MentionKind::Value => Formula::Name(mention.name.clone()),
+                MentionKind::Function(arity) => {
+                    Formula::Apply(mention.name.clone(), vec![Formula::Pi; arity])
+                }
+                _ => return false,
+            };
+            let unfolded = substitution.formula(&formula);
+            mention.name == *name || unfolded.is_ok_and(|e| free_names(&e).contains(name))
+        }
+        Culprit::Truth => mention.kind == MentionKind::Truth,
+        Culprit::Order => mention.kind == MentionKind::Order,
+        Culprit::Whole => false,
+    };
+    // A draw inside of a mean is right where it stands.
+    let mut outside = place.mentions.iter().filter(|mention| !mention.averaged);
+    let found = outside.find(holds);
+    let found = found.or_else(|| place.mentions.iter().find(holds));
+    found.map_or(place.span, |mention| mention.span)
+}
+
+/// A scope with its definitions unfolded.
+struct Unfolding {
+    substitution: Substitution,
+    parameters: Vec<Parameter>,
+    domain: Vec<Condition>,
+    draws: Vec<Draw>,
+}
+
+impl Unfolding {
+    fn new(scope: &Scope) -> Result<Unfolding, TooLarge> {
+        let mut substitution = Substitution::new();
+        for definition in &scope.definitions {
+            let (arguments, body) = substitution.lambda(&definition.arguments, &definition.body)?;
+            let name = definition.name.clone();
+            match arguments.is_empty() {
+                true => substitution.value(name, body),
+                false => substitution.function(name, arguments, body),
+            }
+        }
+        let parameters = scope.parameters.iter().map(|p| parameter(p, &substitution));
+        let domain = scope.domain.iter().map(|c| substitution.condition(c));
+        let draws = scope.draws.iter().map(|draw| {
+            Ok(Draw {
+                name: draw.name.clone(),
+                law: substitution.law(&draw.law)?,
+            })
+        });
+        Ok(Unfolding {
+            parameters: parameters.collect::<Result<_, TooLarge>>()?,
+            domain: domain.collect::<Result<_, _>>()?,
+            draws: draws.collect::<Result<_, TooLarge>>()?,
+            substitution,
+        })
+    }
+
+    /// The statement, which is unfolded, in this scope, `last` ending the domain.
+    fn proposition(self, last: Vec<Condition>, statement: Statement) -> Proposition {
+        let mut domain = self.domain;
+        domain.extend(last);
+        Proposition {
+            parameters: self.parameters,
+            domain,
+            draws: self.draws,
+            statement,
+        }
+    }
+}
+
+fn parameter(parameter: &Parameter, substitution: &Substitution) -> Result<Parameter, TooLarge> {
+    let kind = match &parameter.kind {
+        ParameterKind::Function {
+            argument,
+            kind,
+            from,
+            to,
+        } => ParameterKind::Function {
+            argument: argument.clone(),
+            kind: *kind,
+            from: substitution.formula(from)?,
+            to: substitution.formula(to)?,
+        },
+        other => other.clone(),
+    };
+    let name: Name = parameter.name.clone();
+    Ok(Parameter { name, kind })
+}
+
+/// The regime that a `read` line makes of a statement's own: its limits, if it names any, and always
+/// its paths and uniformities.
+fn read_as(own: Option<&Regime>, read: Option<&Regime>) -> Option<Regime> {
+    let Some(read) = read else {
+        return own.cloned();
+    };
+    let mut regime = read.clone();
+    if let (true, Some(own)) = (regime.limits.is_empty(), own) {
+        regime.limits.clone_from(&own.limits);
+    }
+    Some(regime)
+}
+
+/// The statement with the regime of its expansions read so.
+fn with_regime(statement: &Statement, read: Option<&Regime>) -> Statement {
+    match statement {
+        Statement::Chain {
+            first,
+            links,
+            regime,
+        } if expands(links) => Statement::Chain {
+            first: first.clone(),
+            links: links.clone(),
+            regime: read_as(regime.as_ref(), read),
+        },
+        Statement::All(items) => {
+            Statement::All(items.iter().map(|item| with_regime(item, read)).collect())
+        }
+        other => other.clone(),
+    }
+}
+
+fn expands(links: &[(crate::formula::Relation, Formula)]) -> bool {
+    links
+        .iter()
+        .any(|(relation, right)| relation_expands(*relation) || has_order(right))
+}
+
+fn relation_expands(relation: crate::formula::Relation) -> bool {
+    use crate::formula::Relation;
+    matches!(relation, Relation::Asymptotic | Relation::Approximate)
+}
+
+fn first_chain(statement: &Statement) -> Option<&Statement> {
+    match statement {
+        Statement::Chain { .. } => Some(statement),
+        Statement::All(items) => items.iter().find_map(first_chain),
+        _ => None,
+    }
+}
+
+fn last_right_side(statement: &Statement) -> Option<&Formula> {
+    match statement {
+        Statement::Chain { links, .. } => links.last().map(|(_, right)| right),
+        Statement::All(items) => items.iter().rev().find_map(last_right_side),
+        _ => None,
+    }
+}
