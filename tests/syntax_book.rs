@@ -401,7 +401,7 @@ const FAULTY: &[(&str, &str, &str, &str)] = &[
     (
         "given fn f(x) continous on 0..1\nsays 1 == 1",
         "expected `continuous`",
-        "",
+        "write `continuous`",
         "continous",
     ),
     (
@@ -490,6 +490,21 @@ fn unfolding_is_capped() {
     let book = book(&text);
     let error = book.claims[0].printed().expect_err("large");
     assert!(error.message.contains("nodes"), "{error}");
+}
+
+#[test]
+fn the_deepest_trees_are_unfolded_and_checked() {
+    let sum = "k + ".repeat(498);
+    let text = format!(
+        "```claim 1\ngiven int k\nlet a = {sum}k\nsays {sum}a == mean({sum}a)\nneeds a == a\n```"
+    );
+    let book = book(&text);
+    let proposition = book.claims[0].printed().expect("typed");
+    let printed = proposition.to_string();
+    assert_eq!(
+        claimcheck::formula::parse_proposition(&printed),
+        Ok(proposition)
+    );
 }
 
 #[test]

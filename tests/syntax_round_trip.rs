@@ -1,9 +1,13 @@
 //! Printing and parsing again gives the same tree, and canonical texts stay as they are.
 
+mod support;
+
 use claimcheck::formula::{
     Formula, Operator, Statement, parse_condition, parse_formula, parse_law, parse_proposition,
     parse_statement,
 };
+use claimcheck::formula::{free_names, substitute};
+use proptest::prelude::*;
 
 /// Text and its canonical form.
 const FORMULAS: &[(&str, &str)] = &[
@@ -175,4 +179,45 @@ fn propositions() {
     assert_eq!(proposition.to_string(), text);
     assert!(parse_proposition("says a == b\ngiven int a").is_err());
     assert!(parse_proposition("given int a\n").is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: cases(300), failure_persistence: None, ..Default::default() })]
+
+    #[test]
+    fn every_formula_survives_printing(formula in support::formula()) {
+        let text = formula.to_string();
+        prop_assert_eq!(parse_formula(&text), Ok(formula), "{}", text);
+    }
+
+    #[test]
+    fn every_condition_survives_printing(condition in support::condition()) {
+        let text = condition.to_string();
+        prop_assert_eq!(parse_condition(&text), Ok(condition), "{}", text);
+    }
+
+    #[test]
+    fn every_proposition_survives_printing(proposition in support::proposition()) {
+        let text = proposition.to_string();
+        prop_assert_eq!(parse_proposition(&text), Ok(proposition), "{}", text);
+    }
+
+    #[test]
+    fn substitution_leaves_no_name_behind(formula in support::formula()) {
+        let value = parse_formula("x*k + 1").expect("a formula");
+        let result = substitute(&formula, &[("a".into(), value)]).expect("small");
+        let mut expected = free_names(&formula);
+        if expected.remove("a") {
+            expected.extend(["x".into(), "k".into()]);
+        }
+        prop_assert_eq!(free_names(&result), expected, "{} -> {}", formula, result);
+    }
+}
+
+/// The number of random cases, to be raised by `CLAIMCHECK_CASES`.
+fn cases(default: u32) -> u32 {
+    std::env::var("CLAIMCHECK_CASES")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(default)
 }

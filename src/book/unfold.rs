@@ -4,7 +4,7 @@ use super::resolve::Symbols;
 use super::scope::Place;
 use super::typing::{Culprit, check, draws_of, has_order};
 use super::{Claim, Scope};
-use crate::formula::parser::MentionKind;
+use crate::formula::parser::{Mention, MentionKind};
 use crate::formula::{
     Condition, Draw, Formula, Name, Parameter, ParameterKind, Proposition, Regime, Span, Statement,
     Substitution, TooLarge, free_names,
@@ -202,7 +202,7 @@ fn finish(
 
 /// Where the symbol at fault stands: itself, or a definition that holds it.
 fn place_of(culprit: &Culprit, place: &Place, substitution: &Substitution) -> Span {
-    let found = place.mentions.iter().find(|mention| match culprit {
+    let holds = |mention: &&Mention| match culprit {
         Culprit::Name(name) => {
             let formula = match mention.kind {
                 MentionKind::Value => Formula::Name(mention.name.clone()),
@@ -217,7 +217,11 @@ fn place_of(culprit: &Culprit, place: &Place, substitution: &Substitution) -> Sp
         Culprit::Truth => mention.kind == MentionKind::Truth,
         Culprit::Order => mention.kind == MentionKind::Order,
         Culprit::Whole => false,
-    });
+    };
+    // A draw inside of a mean is right where it stands.
+    let mut outside = place.mentions.iter().filter(|mention| !mention.averaged);
+    let found = outside.find(holds);
+    let found = found.or_else(|| place.mentions.iter().find(holds));
     found.map_or(place.span, |mention| mention.span)
 }
 

@@ -242,6 +242,7 @@ impl Parser<'_> {
     /// The `, x ~ LAW` that may end a mean, and the depth of the law; binds what stands since `start`.
     fn own_draw(&mut self, start: usize) -> Result<(Option<Box<Draw>>, usize), Diagnostic> {
         if !self.eat_symbol(",") {
+            self.average(start);
             return Ok((None, 0));
         }
         let (name, _) = self.name()?;
@@ -249,6 +250,13 @@ impl Parser<'_> {
         self.expect_symbol("~")?;
         let (law, depth) = self.law_with_depth()?;
         Ok((Some(Box::new(Draw { name, law })), depth))
+    }
+
+    /// What is mentioned since `start` stands inside a mean.
+    fn average(&mut self, start: usize) {
+        for mention in &mut self.mentions[start..] {
+            mention.averaged = true;
+        }
     }
 
     fn moment(&mut self, make: fn(Box<Formula>, Option<Box<Draw>>) -> Formula) -> Made {
@@ -268,7 +276,9 @@ impl Parser<'_> {
     }
 
     fn of_law(&mut self, make: fn(Box<Formula>, Box<Formula>) -> Formula) -> Made {
+        let start = self.mentions.len();
         let (quantity, first) = self.argument()?;
+        self.average(start);
         self.comma("density(X, x)")?;
         let (point, second) = self.argument()?;
         Ok((make(Box::new(quantity), Box::new(point)), first.max(second)))

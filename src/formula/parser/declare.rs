@@ -4,7 +4,7 @@ use super::statement::repeated;
 use super::{Parsed, Parser, whole};
 use crate::formula::{
     Condition, Diagnostic, Draw, Formula, FunctionKind, Law, Name, Parameter, ParameterKind,
-    Proposition, Span, lexer::Token,
+    Proposition, Span, lexer::Token, nearest,
 };
 
 /// What a `given` line declares.
@@ -132,8 +132,7 @@ impl Parser<'_> {
             }
         }
         if !self.eat_word("smooth") {
-            return Err(self
-                .unexpected("`continuous`, `integrable`, `smooth(n)`, `polynomial` or `density`"));
+            return Err(self.unknown_kind());
         }
         let open = self.expect_symbol("(")?;
         let span = self.current.span;
@@ -142,6 +141,21 @@ impl Parser<'_> {
         self.advance();
         self.close(")", open)?;
         Ok(FunctionKind::Smooth(times))
+    }
+
+    fn unknown_kind(&self) -> Diagnostic {
+        let words = [
+            "continuous",
+            "integrable",
+            "smooth",
+            "polynomial",
+            "density",
+        ];
+        let mut error =
+            self.unexpected("`continuous`, `integrable`, `smooth(n)`, `polynomial` or `density`");
+        let near = nearest(self.slice(self.current.span), words);
+        error.hint = near.map(|near| format!("write `{near}`"));
+        error
     }
 
     /// `X, Y ~ LAW`, with the places of the names.
@@ -202,6 +216,12 @@ impl Parser<'_> {
             end: self.previous,
         };
         let sufficient = self.eat_word("sufficient");
+        if self.current.token == Token::Word {
+            let mut error = self.unexpected("`sufficient` or the end");
+            let near = nearest(self.slice(self.current.span), ["sufficient"]);
+            error.hint = near.map(|near| format!("write `{near}`"));
+            return Err(error);
+        }
         Ok((condition, sufficient, span))
     }
 }

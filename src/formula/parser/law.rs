@@ -42,8 +42,8 @@ impl Parser<'_> {
 
     fn unknown_law(&self) -> Diagnostic {
         let mut error = self.unexpected("a law");
-        let forms = "beta(a, b), uniform(a, b), order(l, m) of LAW, density f on a..b, any";
         if self.current.token == Token::Word {
+            let forms = "beta(a, b), uniform(a, b), order(l, m) of LAW, density f on a..b, any";
             error.hint = Some(format!("laws are {forms}"));
         }
         error

@@ -46,6 +46,8 @@ const RESERVED: [&str; 11] = [
     "inf",
     "pi",
 ];
+/// What a statement needs, in the words of errors.
+const RELATION: &str = "a relation such as `==`";
 /// Forms that look like calls.
 const FORMS: [&str; 14] = [
     "sum", "int", "sup", "infimum", "diff", "at", "lim", "mean", "var", "prob", "density", "cdf",
@@ -58,6 +60,8 @@ pub(crate) struct Mention {
     pub name: Name,
     pub span: Span,
     pub kind: MentionKind,
+    /// Whether it stands inside a mean over the draws of the scope.
+    pub averaged: bool,
 }
 
 /// What a [`Mention`] is.
@@ -284,17 +288,20 @@ impl<'t> Parser<'t> {
         Diagnostic {
             span,
             message: format!("expected {expected}, {found}"),
-            hint: self.hint(),
+            hint: self.hint(expected),
         }
     }
 
-    fn hint(&self) -> Option<String> {
+    fn hint(&self, expected: &str) -> Option<String> {
+        let ends = ["`)`", "`]`", "`,`", "`..`", "the end", RELATION].contains(&expected);
         let hint = match self.current.token {
             Token::Symbol("=") => "equality is written `==`",
             Token::Symbol(")") => "there is no `(` that this bracket closes",
             Token::Symbol("]") => "there is no `[` that this bracket closes",
             Token::Symbol("~" | "=~") => "this relation stands in statements only",
-            Token::Symbol("(" | "[") | Token::Number | Token::Word if self.after_operand() => {
+            Token::Symbol("(" | "[") | Token::Number | Token::Word
+                if ends && self.after_operand() =>
+            {
                 "a product is written with `*`"
             }
             _ => return None,
@@ -389,6 +396,7 @@ impl<'t> Parser<'t> {
             name: name.into(),
             span,
             kind,
+            averaged: false,
         });
     }
 

@@ -3,7 +3,7 @@
 //! Outside brackets `and` joins statements; a condition's own `and` stands in brackets, or after
 //! `ID if`, which therefore takes all that follows and comes last.
 
-use super::{MentionKind, Node, Parser, Value, power};
+use super::{MentionKind, Node, Parser, RELATION, Value, power};
 use crate::formula::{
     Diagnostic, Duty, Formula, Name, Regime, Relation, Span, Statement, Target, Tendency,
     lexer::{Token, lex},
@@ -54,7 +54,7 @@ impl Parser<'_> {
             links.push((relation, right));
         }
         if links.is_empty() {
-            return Err(self.unexpected("a relation such as `==`"));
+            return Err(self.unexpected(RELATION));
         }
         let regime = if ["as", "uniformly", "along"].iter().any(|w| self.at_word(w)) {
             Some(self.regime()?)
