@@ -24,7 +24,10 @@ fn every_claim_is_as_expected() {
                 report.printed.verdict,
                 report.printed.fault,
                 report.printed.reason,
-                report.mended.as_ref().map(|mended| (mended.verdict, &mended.reason)),
+                report
+                    .mended
+                    .as_ref()
+                    .map(|mended| (mended.verdict, &mended.reason)),
                 report.needs_fault,
             )
         })
@@ -37,7 +40,10 @@ fn chapter_2_is_whole_and_decided() {
     let reports = reports();
     let ids: BTreeSet<&str> = reports.iter().map(|report| report.id.as_str()).collect();
     for number in 1..=105 {
-        assert!(ids.contains(format!("2.{number}").as_str()), "2.{number} has no claim");
+        assert!(
+            ids.contains(format!("2.{number}").as_str()),
+            "2.{number} has no claim"
+        );
     }
     for report in &reports {
         assert_ne!(report.printed.verdict, Verdict::Undecided, "{}", report.id);

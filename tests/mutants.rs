@@ -29,9 +29,15 @@ enum Fate {
 #[test]
 fn misprints_are_refuted() {
     let book = read(&[PathBuf::from("proofs")]).unwrap_or_else(|errors| panic!("{errors:?}"));
-    let step = std::env::var("CLAIMCHECK_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(17);
+    let step = std::env::var("CLAIMCHECK_MUTANTS")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(17);
     let mutants: Vec<Mutant> = all_mutants(&book).into_iter().step_by(step).collect();
-    let pool = rayon::ThreadPoolBuilder::new().stack_size(64 << 20).build().unwrap();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .stack_size(64 << 20)
+        .build()
+        .unwrap();
     let fates: Vec<Fate> = pool.install(|| mutants.par_iter().map(fate).collect());
     let count = |wanted: Fate| fates.iter().filter(|fate| **fate == wanted).count();
     let (refuted, survived) = (count(Fate::Refuted), count(Fate::Survived));
@@ -46,7 +52,10 @@ fn misprints_are_refuted() {
         }
     }
     assert!(refuted > 100, "too few mutants to say anything: {refuted}");
-    assert!(100 * refuted >= 95 * (refuted + survived), "fewer than 95% of the misprints are caught");
+    assert!(
+        100 * refuted >= 95 * (refuted + survived),
+        "fewer than 95% of the misprints are caught"
+    );
 }
 
 fn all_mutants(book: &Book) -> Vec<Mutant> {
@@ -90,7 +99,11 @@ fn fate(mutant: &Mutant) -> Fate {
         Verdict::IllTyped | Verdict::Vacuous => Fate::Equivalent,
         Verdict::Undecided => Fate::Survived,
         _ => {
-            let longer = Settings { points: 10 * everyday.points, seed: 20, ..everyday };
+            let longer = Settings {
+                points: 10 * everyday.points,
+                seed: 20,
+                ..everyday
+            };
             match verdict(mutant, &longer) {
                 Verdict::Certified | Verdict::Proved => Fate::Equivalent,
                 _ => Fate::Survived,

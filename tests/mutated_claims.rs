@@ -12,10 +12,50 @@ use rayon::prelude::*;
 
 /// Words of the language, among them those that make trouble: towers, divisions by zero, poles.
 const WORDS: [&str; 44] = [
-    "k", "n", "l", "m", "I", "V", "Va", "0", "1", "2", "-1", "1/0", "2^2^100", "inf", "pi", "+", "-",
-    "*", "/", "^", "!", "(", ")", "[", "]", "==", "<", "<=", "~", "=~", "gamma(-3)", "ln(0)",
-    "mean(", "var(", "int(1/x, x = 0..1)", "sum(j, j = 1..10^9)", "hyp2f1(1, 2; 3; 1/2)", "O(1/k)",
-    "as k -> inf", "and", "if", "\n", "\u{2264}", "10^10^10",
+    "k",
+    "n",
+    "l",
+    "m",
+    "I",
+    "V",
+    "Va",
+    "0",
+    "1",
+    "2",
+    "-1",
+    "1/0",
+    "2^2^100",
+    "inf",
+    "pi",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "!",
+    "(",
+    ")",
+    "[",
+    "]",
+    "==",
+    "<",
+    "<=",
+    "~",
+    "=~",
+    "gamma(-3)",
+    "ln(0)",
+    "mean(",
+    "var(",
+    "int(1/x, x = 0..1)",
+    "sum(j, j = 1..10^9)",
+    "hyp2f1(1, 2; 3; 1/2)",
+    "O(1/k)",
+    "as k -> inf",
+    "and",
+    "if",
+    "\n",
+    "\u{2264}",
+    "10^10^10",
 ];
 
 /// The claims of the book that mutants are made from, with the definitions that they use.
@@ -29,7 +69,11 @@ fn blocks() -> Vec<String> {
             .map(|block| format!("```{block}```\n\n"))
             .collect();
         for block in text.split("```").filter(|block| block.starts_with("claim")) {
-            let uses = if block.contains("\nuse ") { defines.as_str() } else { "" };
+            let uses = if block.contains("\nuse ") {
+                defines.as_str()
+            } else {
+                ""
+            };
             blocks.push(format!("{uses}```{block}```\n"));
         }
     }
@@ -65,10 +109,20 @@ fn mutated(text: &str, rng: &mut Xoshiro256PlusPlus) -> String {
 
 #[test]
 fn no_mutated_claim_breaks_the_judge() {
-    let count = std::env::var("CLAIMCHECK_FUZZ").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
+    let count = std::env::var("CLAIMCHECK_FUZZ")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(300);
     let blocks = blocks();
-    let settings = Settings { budget: 200_000, points: 12, ..Settings::default() };
-    let pool = rayon::ThreadPoolBuilder::new().stack_size(64 << 20).build().unwrap();
+    let settings = Settings {
+        budget: 200_000,
+        points: 12,
+        ..Settings::default()
+    };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .stack_size(64 << 20)
+        .build()
+        .unwrap();
     let judged: usize = pool.install(|| {
         (0..count as u64)
             .into_par_iter()

@@ -16,9 +16,11 @@ pub(super) fn open(paths: &[PathBuf]) -> Result<Book, Failure> {
     let default = [PathBuf::from(DEFAULT)];
     let paths = if paths.is_empty() {
         if !Path::new(DEFAULT).exists() {
-            let hint =
-                "name the chapters, or go to the folder that holds `proofs`";
-            return Err(Failure::input("there is no folder `proofs` here", Some(hint)));
+            let hint = "name the chapters, or go to the folder that holds `proofs`";
+            return Err(Failure::input(
+                "there is no folder `proofs` here",
+                Some(hint),
+            ));
         }
         &default[..]
     } else {
@@ -26,7 +28,10 @@ pub(super) fn open(paths: &[PathBuf]) -> Result<Book, Failure> {
     };
     let book = book::read(paths).map_err(|errors| unreadable(&errors))?;
     if book.claims.is_empty() {
-        let places: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        let places: Vec<String> = paths
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect();
         let hint = "claims are fenced blocks of Markdown files (.md) that begin with ```claim ID";
         let message = format!("there is no claim in {}", places.join(", "));
         return Err(Failure::input(&message, Some(hint)));

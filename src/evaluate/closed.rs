@@ -49,7 +49,9 @@ pub(super) fn to_power(a: &Exact, exponent: i64, budget: &Budget) -> Result<Exac
 
 /// The sign.
 pub(super) fn sign(value: &Exact) -> Result<Ordering, Failure> {
-    value.sign().ok_or_else(|| undecided("the sign of a closed form"))
+    value
+        .sign()
+        .ok_or_else(|| undecided("the sign of a closed form"))
 }
 
 /// How two numbers compare.

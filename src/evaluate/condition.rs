@@ -57,11 +57,20 @@ fn chain(first: &Formula, links: &[(Relation, Formula)], scope: &Scope) -> Resul
     open.map_or(Ok(true), Err)
 }
 
-fn related(left: &Formula, relation: Relation, right: &Formula, scope: &Scope) -> Result<bool, Failure> {
+fn related(
+    left: &Formula,
+    relation: Relation,
+    right: &Formula,
+    scope: &Scope,
+) -> Result<bool, Failure> {
     scope.spend(1)?;
     let exactly = exact::sampled(left, scope)
         .and_then(|l| Ok((l, exact::sampled(right, scope)?)))
-        .and_then(|(l, r)| compare(l, r, |a, b| closed::order(&closed_number(a)?, &closed_number(b)?)));
+        .and_then(|(l, r)| {
+            compare(l, r, |a, b| {
+                closed::order(&closed_number(a)?, &closed_number(b)?)
+            })
+        });
     let order = match exactly {
         Ok(order) => order,
         Err(Failure::Exhausted) => return Err(Failure::Exhausted),
@@ -90,7 +99,11 @@ fn compare<T>(
     }))
 }
 
-fn enclosed_order(left: &Formula, right: &Formula, scope: &Scope) -> Result<Option<Ordering>, Failure> {
+fn enclosed_order(
+    left: &Formula,
+    right: &Formula,
+    scope: &Scope,
+) -> Result<Option<Ordering>, Failure> {
     let mut last = undecided("a comparison");
     for precision in PRECISIONS {
         let left = enclose::within(left, scope, precision)?;

@@ -49,7 +49,11 @@ fn add(a: Formula, b: Formula) -> Formula {
 }
 
 fn subtract(a: Formula, b: Formula) -> Formula {
-    if is_zero(&b) { a } else { Formula::binary(Operator::Subtract, a, b) }
+    if is_zero(&b) {
+        a
+    } else {
+        Formula::binary(Operator::Subtract, a, b)
+    }
 }
 
 fn multiply(a: Formula, b: Formula) -> Formula {
@@ -65,7 +69,11 @@ fn multiply(a: Formula, b: Formula) -> Formula {
 }
 
 fn divide(a: Formula, b: Formula) -> Formula {
-    if is_zero(&a) { zero() } else { Formula::binary(Operator::Divide, a, b) }
+    if is_zero(&a) {
+        zero()
+    } else {
+        Formula::binary(Operator::Divide, a, b)
+    }
 }
 
 fn power(a: Formula, b: Formula) -> Formula {
@@ -83,7 +91,9 @@ fn depends(formula: &Formula, name: &Name, scope: &Scope) -> Result<bool, Failur
         return Ok(true);
     }
     let draws = scope.draws_among(&free)?;
-    Ok(draws.iter().any(|draw| Part::Law(&draw.law).free_names().contains(name)))
+    Ok(draws
+        .iter()
+        .any(|draw| Part::Law(&draw.law).free_names().contains(name)))
 }
 
 fn derivative(formula: &Formula, name: &Name, scope: &Scope) -> Result<Formula, Failure> {
@@ -93,17 +103,20 @@ fn derivative(formula: &Formula, name: &Name, scope: &Scope) -> Result<Formula, 
     }
     match formula {
         Formula::Name(_) => Ok(one()),
-        Formula::Negate(inner) => {
-            Ok(Formula::Negate(Box::new(derivative(inner, name, scope)?)))
-        }
+        Formula::Negate(inner) => Ok(Formula::Negate(Box::new(derivative(inner, name, scope)?))),
         Formula::Binary(operator, left, right) => binary(*operator, left, right, name, scope),
         Formula::Call(function, arguments) => match &arguments[..] {
             [x] => Ok(multiply(outer(*function, x)?, derivative(x, name, scope)?)),
-            _ => Err(unsupported(format!("the derivative of {}", function.name()))),
+            _ => Err(unsupported(format!(
+                "the derivative of {}",
+                function.name()
+            ))),
         },
         Formula::Apply(function, arguments) => {
             let [argument] = &arguments[..] else {
-                return Err(unsupported("the derivative of a function of several variables"));
+                return Err(unsupported(
+                    "the derivative of a function of several variables",
+                ));
             };
             let (variable, body) = scope.function(function)?;
             let inner = derivative(body, variable, scope)?;
@@ -134,7 +147,10 @@ fn binary(
     if operator == Operator::Power {
         return power_derivative(left, right, name, scope);
     }
-    let (dl, dr) = (derivative(left, name, scope)?, derivative(right, name, scope)?);
+    let (dl, dr) = (
+        derivative(left, name, scope)?,
+        derivative(right, name, scope)?,
+    );
     let (l, r) = (left.clone(), right.clone());
     Ok(match operator {
         Operator::Add => add(dl, dr),
@@ -150,7 +166,12 @@ fn binary(
 
 /// (u^n)' = n u^(n-1) u' for an exponent that does not change, with u^n/u for u^(n-1) unless n is an
 /// integer as written, so that u = 0 is excluded; else u^v (v' ln u + v u'/u).
-fn power_derivative(base: &Formula, exponent: &Formula, name: &Name, scope: &Scope) -> Result<Formula, Failure> {
+fn power_derivative(
+    base: &Formula,
+    exponent: &Formula,
+    name: &Name,
+    scope: &Scope,
+) -> Result<Formula, Failure> {
     let (u, v) = (base.clone(), exponent.clone());
     let du = derivative(base, name, scope)?;
     if !depends(exponent, name, scope)? {
@@ -159,7 +180,10 @@ fn power_derivative(base: &Formula, exponent: &Formula, name: &Name, scope: &Sco
                 if *n == num_rational::BigRational::from_integer(0.into()) {
                     return Ok(zero());
                 }
-                power(u, Formula::Number(n - num_rational::BigRational::from_integer(1.into())))
+                power(
+                    u,
+                    Formula::Number(n - num_rational::BigRational::from_integer(1.into())),
+                )
             }
             _ => divide(power(u.clone(), v.clone()), u),
         };
@@ -178,12 +202,20 @@ fn outer(function: Function, x: &Formula) -> Result<Formula, Failure> {
     let x = x.clone();
     Ok(match function {
         Function::Abs => divide(call(Function::Abs, x.clone()), x),
-        Function::Sqrt => divide(Formula::binary(Operator::Divide, one(), Formula::integer(2)), call(Function::Sqrt, x)),
+        Function::Sqrt => divide(
+            Formula::binary(Operator::Divide, one(), Formula::integer(2)),
+            call(Function::Sqrt, x),
+        ),
         Function::Exp => call(Function::Exp, x),
         Function::Ln => divide(one(), x),
         Function::Sin => call(Function::Cos, x),
         Function::Cos => Formula::Negate(Box::new(call(Function::Sin, x))),
-        _ => return Err(unsupported(format!("the derivative of {}", function.name()))),
+        _ => {
+            return Err(unsupported(format!(
+                "the derivative of {}",
+                function.name()
+            )));
+        }
     })
 }
 
@@ -201,9 +233,15 @@ fn ranged_derivative(ranged: &Ranged, name: &Name, scope: &Scope) -> Result<Form
         body: derivative(&ranged.body, name, scope)?,
         ..ranged.clone()
     };
-    let inner = if is_zero(&inner.body) { zero() } else { Formula::Ranged(Box::new(inner)) };
+    let inner = if is_zero(&inner.body) {
+        zero()
+    } else {
+        Formula::Ranged(Box::new(inner))
+    };
     match ranged.kind {
-        RangeKind::Sum if !depends(&ranged.from, name, scope)? && !depends(&ranged.to, name, scope)? => {
+        RangeKind::Sum
+            if !depends(&ranged.from, name, scope)? && !depends(&ranged.to, name, scope)? =>
+        {
             Ok(inner)
         }
         RangeKind::Integral if is_zero(&inner) => boundary_terms(ranged, name, scope),

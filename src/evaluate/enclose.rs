@@ -69,16 +69,19 @@ fn defined(result: Result<Interval, DomainError>, what: &str) -> Enclosure {
 }
 
 fn sign(interval: &Interval) -> Result<Ordering, Failure> {
-    interval.sign().ok_or_else(|| undecided("the sign of an interval"))
+    interval
+        .sign()
+        .ok_or_else(|| undecided("the sign of an interval"))
 }
 
 /// An enclosure of the value of a formula in a scope.
 pub(super) fn within(formula: &Formula, scope: &Scope, precision: u32) -> Enclosure {
     scope.spend(1 + u64::from(precision) / 256)?;
     match formula {
-        Formula::Number(value) => {
-            Ok(Value(Interval::from_rational(&convert::to_rug(value), precision)))
-        }
+        Formula::Number(value) => Ok(Value(Interval::from_rational(
+            &convert::to_rug(value),
+            precision,
+        ))),
         Formula::Pi => Ok(Value(Interval::pi(precision))),
         Formula::Infinity => Ok(PlusInfinity),
         Formula::Name(name) => self::name(name, scope, precision),
@@ -87,7 +90,10 @@ pub(super) fn within(formula: &Formula, scope: &Scope, precision: u32) -> Enclos
             binary(formula, *operator, left, right, scope, precision)
         }
         Formula::Factorial(inner) => within(inner, scope, precision)?.finite("a factorial", |x| {
-            defined(x.add(&Interval::from_i64(1, precision)).gamma(), "a factorial")
+            defined(
+                x.add(&Interval::from_i64(1, precision)).gamma(),
+                "a factorial",
+            )
         }),
         Formula::Call(function, arguments) => call(*function, arguments, scope, precision),
         Formula::Ranged(ranged) if ranged.kind != RangeKind::Integral => {
@@ -98,7 +104,11 @@ pub(super) fn within(formula: &Formula, scope: &Scope, precision: u32) -> Enclos
             Ok(Value(Interval::from_i64(i64::from(truth), precision)))
         }
         Formula::If(truth, yes, no) => {
-            let branch = if condition::within(truth, scope)? { yes } else { no };
+            let branch = if condition::within(truth, scope)? {
+                yes
+            } else {
+                no
+            };
             within(branch, scope, precision)
         }
         Formula::Apply(name, arguments) => apply(name, arguments, scope, precision),
@@ -150,12 +160,13 @@ fn binary(
     if quotient_like && let Some(value) = gamma_product(whole, scope, precision)? {
         return Ok(Value(value));
     }
-    let (a, b) = (within(left, scope, precision)?, within(right, scope, precision)?);
+    let (a, b) = (
+        within(left, scope, precision)?,
+        within(right, scope, precision)?,
+    );
     match operator {
         Operator::Add => outcome::add(a, b, |a, b| Ok(Value(a.add(&b)))),
-        Operator::Subtract => {
-            outcome::add(a, b.negate(|b| b.neg()), |a, b| Ok(Value(a.add(&b))))
-        }
+        Operator::Subtract => outcome::add(a, b.negate(|b| b.neg()), |a, b| Ok(Value(a.add(&b)))),
         Operator::Multiply => outcome::multiply(a, b, sign, |a, b| Ok(Value(a.mul(&b)))),
         _ => outcome::divide(a, b, sign, |a, b| defined(a.div(&b), "a quotient")),
     }
@@ -176,9 +187,12 @@ fn power(base: &Formula, exponent: &Formula, scope: &Scope, precision: u32) -> E
             defined(base.pow_integer(exponent.numer()), "a power")
         }
         (Value(base), Some(exponent)) => defined(base.pow_rational(&exponent), "a power"),
-        (Value(base), None) => within(exponent, scope, precision)?
-            .finite("a power", |exponent| defined(base.pow(&exponent), "a power")),
-        (infinite, Some(exponent)) if exponent.cmp0() == Ordering::Greater && *exponent.denom() == 1 => {
+        (Value(base), None) => within(exponent, scope, precision)?.finite("a power", |exponent| {
+            defined(base.pow(&exponent), "a power")
+        }),
+        (infinite, Some(exponent))
+            if exponent.cmp0() == Ordering::Greater && *exponent.denom() == 1 =>
+        {
             Ok(match infinite {
                 MinusInfinity if exponent.numer().is_odd() => MinusInfinity,
                 _ => PlusInfinity,
@@ -197,7 +211,11 @@ struct Product<'f> {
 
 /// A product in which several values of gamma meet: alone they may be too large for any exponent.
 /// `None` where there are fewer than two, or an argument is not seen to be positive.
-fn gamma_product(formula: &Formula, scope: &Scope, precision: u32) -> Result<Option<Interval>, Failure> {
+fn gamma_product(
+    formula: &Formula,
+    scope: &Scope,
+    precision: u32,
+) -> Result<Option<Interval>, Failure> {
     let mut product = Product::default();
     if count_gammas(formula) < 2 || !collect(formula, false, &mut product, scope, precision)? {
         return Ok(None);
@@ -314,7 +332,9 @@ fn extreme(function: Function, arguments: &[Formula], scope: &Scope, precision: 
     let mut best: Option<Interval> = None;
     for argument in arguments {
         let Value(next) = within(argument, scope, precision)? else {
-            return Err(unsupported("min or max of something without a finite value"));
+            return Err(unsupported(
+                "min or max of something without a finite value",
+            ));
         };
         best = Some(match best {
             None => next,
@@ -322,7 +342,8 @@ fn extreme(function: Function, arguments: &[Formula], scope: &Scope, precision: 
             Some(best) => best.max(&next),
         });
     }
-    best.map(Value).ok_or_else(|| unsupported("min or max of nothing"))
+    best.map(Value)
+        .ok_or_else(|| unsupported("min or max of nothing"))
 }
 
 /// The functions of several arguments, by their enclosures; where those do not tell, exactly.
@@ -363,7 +384,8 @@ fn over_range(ranged: &Ranged, scope: &Scope, precision: u32) -> Enclosure {
     let Some((from, to)) = exact::integer_range(ranged, scope)? else {
         return Ok(Undefined);
     };
-    let mut total = (ranged.kind == RangeKind::Sum).then(|| Value(Interval::from_i64(0, precision)));
+    let mut total =
+        (ranged.kind == RangeKind::Sum).then(|| Value(Interval::from_i64(0, precision)));
     let mut j = from;
     while j <= to {
         let place = Quantity::rational(Rational::from(&j));
@@ -412,5 +434,7 @@ fn at(body: &Formula, places: &[(Name, Formula)], scope: &Scope, precision: u32)
             _ => return Err(unsupported("a value at infinity")),
         }
     }
-    exact::bound(body, &values, scope, &mut |body, scope| within(body, scope, precision))
+    exact::bound(body, &values, scope, &mut |body, scope| {
+        within(body, scope, precision)
+    })
 }

@@ -13,9 +13,7 @@ use super::quantity::{Quantity, Separable, Symbol};
 use super::scope::{Binding, Root, Scope};
 use super::sign::{self, Sign};
 use super::{Context, Failure, Outcome, condition, functions, limit, undecided, unsupported};
-use crate::formula::{
-    Condition, Draw, Formula, Function, Name, Operator, Part, RangeKind, Ranged,
-};
+use crate::formula::{Condition, Draw, Formula, Function, Name, Operator, Part, RangeKind, Ranged};
 use crate::number::{Exact, convert};
 use rug::{Integer, Rational};
 use std::cmp::Ordering;
@@ -89,7 +87,9 @@ pub(super) fn value(formula: &Formula, scope: &Scope) -> Evaluation {
         Formula::Binary(operator, left, right) => binary(*operator, left, right, scope),
         Formula::Factorial(inner) => {
             let budget = scope.budget();
-            rational_call("a factorial", inner, scope, |x| functions::factorial_or_gamma(x, budget))
+            rational_call("a factorial", inner, scope, |x| {
+                functions::factorial_or_gamma(x, budget)
+            })
         }
         Formula::Call(function, arguments) => call(*function, arguments, scope),
         Formula::Ranged(ranged) => self::ranged(ranged, scope),
@@ -100,9 +100,14 @@ pub(super) fn value(formula: &Formula, scope: &Scope) -> Evaluation {
         Formula::Indicator(truth) => {
             number(Rational::from(u32::from(condition::within(truth, scope)?)))
         }
-        Formula::If(truth, yes, no) => {
-            value(if condition::within(truth, scope)? { yes } else { no }, scope)
-        }
+        Formula::If(truth, yes, no) => value(
+            if condition::within(truth, scope)? {
+                yes
+            } else {
+                no
+            },
+            scope,
+        ),
         Formula::Mean(body, draw) => over_draws(Part::Formula(body), draw, scope, mean_of),
         Formula::Variance(body, draw) => over_draws(Part::Formula(body), draw, scope, variance_of),
         Formula::Probability(truth, draw) => {
@@ -153,7 +158,9 @@ fn binary(operator: Operator, left: &Formula, right: &Formula, scope: &Scope) ->
 
 fn multiply(left: Outcome<Quantity>, right: Outcome<Quantity>, scope: &Scope) -> Evaluation {
     let budget = scope.budget();
-    outcome::multiply(left, right, Quantity::sign, |a, b| Ok(Value(a.multiply(b, budget)?)))
+    outcome::multiply(left, right, Quantity::sign, |a, b| {
+        Ok(Value(a.multiply(b, budget)?))
+    })
 }
 
 fn divide(a: Quantity, b: Quantity, scope: &Scope) -> Evaluation {
@@ -216,7 +223,10 @@ fn huge_power(base: &Quantity, exponent: &Integer) -> Evaluation {
     let Quantity::Closed(base) = base else {
         return Err(too_large());
     };
-    let base = base.as_rational().filter(|b| *b.denom() == 1).ok_or_else(too_large)?;
+    let base = base
+        .as_rational()
+        .filter(|b| *b.denom() == 1)
+        .ok_or_else(too_large)?;
     match base.numer().to_i32() {
         Some(0) if *exponent < 0 => Ok(Undefined),
         Some(-1) if exponent.is_even() => number(Rational::from(1)),
@@ -255,16 +265,18 @@ fn call(function: Function, arguments: &[Formula], scope: &Scope) -> Evaluation 
     let half = Rational::from((1, 2));
     match (function, arguments) {
         (Function::Abs, [x]) => absolute(x, scope),
-        (Function::Sqrt, [x]) => {
-            closed_call(what, x, scope, |x| functions::rational_exponent(x, &half, budget))
-        }
+        (Function::Sqrt, [x]) => closed_call(what, x, scope, |x| {
+            functions::rational_exponent(x, &half, budget)
+        }),
         (Function::Exp, [x]) => closed_call(what, x, scope, functions::exp),
         (Function::Ln, [x]) => closed_call(what, x, scope, |x| functions::ln_or_none(x, budget)),
         (Function::Sin, [x]) => closed_call(what, x, scope, |x| functions::sine(x, 0)),
         (Function::Cos, [x]) => closed_call(what, x, scope, |x| functions::sine(x, 1)),
         (Function::Floor, [x]) => closed_call(what, x, scope, functions::floor),
         (Function::Gamma, [x]) => rational_call(what, x, scope, |x| functions::gamma(x, budget)),
-        (Function::LnGamma, [x]) => rational_call(what, x, scope, |x| functions::lngamma(x, budget)),
+        (Function::LnGamma, [x]) => {
+            rational_call(what, x, scope, |x| functions::lngamma(x, budget))
+        }
         (Function::Min, many) => extreme(many, Ordering::Less, scope),
         (Function::Max, many) => extreme(many, Ordering::Greater, scope),
         (_, many) => rational_function(function, many, scope),
@@ -365,7 +377,9 @@ fn derivative(body: &Formula, name: &Name, times: &Formula, scope: &Scope) -> Ev
         Value(times) => times.closed("an order of a derivative")?.as_rational(),
         _ => None,
     };
-    let times = times.filter(|n| *n.denom() == 1).and_then(|n| n.numer().to_u32());
+    let times = times
+        .filter(|n| *n.denom() == 1)
+        .and_then(|n| n.numer().to_u32());
     let times = times.ok_or_else(|| unsupported("a derivative of this order"))?;
     let result = super::differentiate::repeatedly(body, name, times, scope)?;
     let plain = value(body, scope)?;
@@ -414,7 +428,8 @@ fn ranged(ranged: &Ranged, scope: &Scope) -> Evaluation {
     let Some((from, to)) = integer_range(ranged, scope)? else {
         return Ok(Undefined);
     };
-    let mut total = (ranged.kind == RangeKind::Sum).then(|| Value(Quantity::rational(Rational::new())));
+    let mut total =
+        (ranged.kind == RangeKind::Sum).then(|| Value(Quantity::rational(Rational::new())));
     let mut j = from;
     while j <= to {
         scope.spend(1)?;
@@ -431,7 +446,12 @@ fn ranged(ranged: &Ranged, scope: &Scope) -> Evaluation {
     Ok(total.unwrap_or(Undefined))
 }
 
-fn combine(kind: RangeKind, total: Outcome<Quantity>, term: Outcome<Quantity>, scope: &Scope) -> Evaluation {
+fn combine(
+    kind: RangeKind,
+    total: Outcome<Quantity>,
+    term: Outcome<Quantity>,
+    scope: &Scope,
+) -> Evaluation {
     match kind {
         RangeKind::Supremum => more_extreme(total, term, Ordering::Greater, scope),
         RangeKind::Infimum => more_extreme(total, term, Ordering::Less, scope),
@@ -449,8 +469,12 @@ pub(super) fn integer_range(
     for end in [&ranged.from, &ranged.to] {
         match value(end, scope)? {
             Value(end) => {
-                let end = end.closed("a bound")?.as_rational().filter(|end| *end.denom() == 1);
-                let end = end.ok_or_else(|| unsupported("a range between numbers that are no integers"))?;
+                let end = end
+                    .closed("a bound")?
+                    .as_rational()
+                    .filter(|end| *end.denom() == 1);
+                let end =
+                    end.ok_or_else(|| unsupported("a range between numbers that are no integers"))?;
                 ends.push(end.into_numer_denom().0);
             }
             Undefined => return Ok(None),
@@ -476,7 +500,13 @@ fn integral(ranged: &Ranged, scope: &Scope) -> Evaluation {
             return Err(unsupported("a piecewise integrand between variable bounds"));
         }
         return value(&ranged.body, &link.scope())?.finite("an integrand", |body| {
-            integrate::between_functions(&body.open(), symbol, from.clone(), to.clone(), scope.budget())
+            integrate::between_functions(
+                &body.open(),
+                symbol,
+                from.clone(),
+                to.clone(),
+                scope.budget(),
+            )
         });
     }
     let (from, to) = (as_bound(from)?, as_bound(to)?);
@@ -579,7 +609,10 @@ fn add_pieces(
     }
     let mixed = signs.contains(&Sign::NonNegative) && signs.contains(&Sign::NonPositive);
     let first = signs.first().copied().unwrap_or(Sign::Unknown);
-    match signs.iter().find(|sign| matches!(sign, Sign::Unknown | Sign::Mixed)) {
+    match signs
+        .iter()
+        .find(|sign| matches!(sign, Sign::Unknown | Sign::Mixed))
+    {
         Some(sign) => integrate::infinite(*sign),
         None if mixed => Ok(Undefined),
         None => integrate::infinite(first),
@@ -673,7 +706,9 @@ impl Body<'_> {
         };
         let Some(pieces) = self.pieces(&weights, scope)? else {
             return self.value(None, scope)?.finite("a mean", |body| {
-                f(body)?.finite("a mean", |body| self.mean_of_function(body, &weights, scope))
+                f(body)?.finite("a mean", |body| {
+                    self.mean_of_function(body, &weights, scope)
+                })
             });
         };
         let mut parts = vec![];
@@ -748,7 +783,10 @@ fn at_draw(quantity: &Formula, x: &Formula, cumulative: bool, scope: &Scope) -> 
     );
     let names = Part::Formula(quantity).free_names();
     let draws = scope.draws_among(&names)?;
-    let shadowed = Part::Formula(x).free_names().iter().any(|n| draws.iter().any(|d| d.name == *n));
+    let shadowed = Part::Formula(x)
+        .free_names()
+        .iter()
+        .any(|n| draws.iter().any(|d| d.name == *n));
     if shadowed {
         return Err(unsupported("a place that is named like a draw"));
     }

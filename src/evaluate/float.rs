@@ -28,9 +28,14 @@ fn within(formula: &Formula, scope: &Scope) -> Result<f64, Failure> {
             Some(plain) if arguments.len() == 1 => plain(within(&arguments[0], scope)?),
             _ => enclosed(formula, scope)?,
         },
-        Formula::If(truth, yes, no) => {
-            within(if condition::within(truth, scope)? { yes } else { no }, scope)?
-        }
+        Formula::If(truth, yes, no) => within(
+            if condition::within(truth, scope)? {
+                yes
+            } else {
+                no
+            },
+            scope,
+        )?,
         _ => enclosed(formula, scope)?,
     })
 }

@@ -59,8 +59,8 @@ pub(super) fn power(base: &Rational, exponent: i64, budget: &Budget) -> Result<R
             _ => base.clone().abs(),
         });
     }
-    let exponent = i32::try_from(exponent)
-        .map_err(|_| Failure::TooLarge("a power of a number".into()))?;
+    let exponent =
+        i32::try_from(exponent).map_err(|_| Failure::TooLarge("a power of a number".into()))?;
     Ok(base.clone().pow(exponent))
 }
 
@@ -215,7 +215,11 @@ impl Fraction {
             [] => return Ok(split),
             [constant] => vec![power(constant, exponent, budget)?],
             many if exponent > 0 => polynomial_power(many, exponent, budget)?,
-            _ => return Err(Failure::Unsupported("a denominator without rational roots".into())),
+            _ => {
+                return Err(Failure::Unsupported(
+                    "a denominator without rational roots".into(),
+                ));
+            }
         };
         let mut factors = split.factors;
         for (_, e) in &mut factors {
@@ -244,7 +248,11 @@ impl Fraction {
                 change_exponent(&mut factors, root, 1)?;
             }
         }
-        let roots = if rest.len() > 64 { vec![] } else { rational_roots(&rest, budget)? };
+        let roots = if rest.len() > 64 {
+            vec![]
+        } else {
+            rational_roots(&rest, budget)?
+        };
         for root in roots {
             while rest.len() > 1 {
                 let (quotient, remainder) = divide_linear(&rest, &root);
@@ -263,7 +271,12 @@ impl Fraction {
 
     /// The numerator times the factors of positive exponent.
     pub fn expanded_numerator(&self, budget: &Budget) -> Result<Polynomial, Failure> {
-        let positive: Vec<_> = self.factors.iter().filter(|(_, e)| *e > 0).cloned().collect();
+        let positive: Vec<_> = self
+            .factors
+            .iter()
+            .filter(|(_, e)| *e > 0)
+            .cloned()
+            .collect();
         expand(&self.numerator, &positive, budget)
     }
 
@@ -300,7 +313,11 @@ impl Fraction {
 }
 
 /// Adds `by` to the exponent of `root`.
-fn change_exponent(factors: &mut Vec<(Rational, i64)>, root: &Rational, by: i64) -> Result<(), Failure> {
+fn change_exponent(
+    factors: &mut Vec<(Rational, i64)>,
+    root: &Rational,
+    by: i64,
+) -> Result<(), Failure> {
     if by == 0 {
         return Ok(());
     }
@@ -367,7 +384,11 @@ fn binomial_power(root: &Rational, exponent: u64, budget: &Budget) -> Result<Pol
     Ok(coefficients)
 }
 
-fn polynomial_power(base: &[Rational], exponent: i64, budget: &Budget) -> Result<Polynomial, Failure> {
+fn polynomial_power(
+    base: &[Rational],
+    exponent: i64,
+    budget: &Budget,
+) -> Result<Polynomial, Failure> {
     let times = exponent.unsigned_abs();
     let degree = times.saturating_mul(base.len() as u64 - 1);
     let size = times.saturating_mul(1 + largest_bits(base));
@@ -387,7 +408,11 @@ fn polynomial_power(base: &[Rational], exponent: i64, budget: &Budget) -> Result
     Ok(result)
 }
 
-pub(super) fn multiply(a: &[Rational], b: &[Rational], budget: &Budget) -> Result<Polynomial, Failure> {
+pub(super) fn multiply(
+    a: &[Rational],
+    b: &[Rational],
+    budget: &Budget,
+) -> Result<Polynomial, Failure> {
     if a.is_empty() || b.is_empty() {
         return Ok(vec![]);
     }
@@ -438,7 +463,8 @@ pub(super) fn evaluate(polynomial: &[Rational], x: &Rational) -> Rational {
 
 fn derivative(polynomial: &[Rational]) -> Polynomial {
     let rest = polynomial.iter().enumerate().skip(1);
-    rest.map(|(j, c)| Rational::from(c * Rational::from(j))).collect()
+    rest.map(|(j, c)| Rational::from(c * Rational::from(j)))
+        .collect()
 }
 
 /// Quotient and remainder of division by `x - root` (synthetic division).
@@ -556,12 +582,7 @@ pub(super) fn square_root(value: &Rational) -> Option<Rational> {
     let square = value.cmp0() != Ordering::Less
         && value.numer().is_perfect_square()
         && value.denom().is_perfect_square();
-    square.then(|| {
-        Rational::from((
-            value.numer().clone().sqrt(),
-            value.denom().clone().sqrt(),
-        ))
-    })
+    square.then(|| Rational::from((value.numer().clone().sqrt(), value.denom().clone().sqrt())))
 }
 
 #[cfg(test)]
@@ -619,10 +640,12 @@ mod tests {
     #[test]
     fn huge_powers_are_refused() {
         let b = budget();
-        assert!(matches!(power(&q(2, 1), i64::MAX, &b), Err(Failure::TooLarge(_))));
+        assert!(matches!(
+            power(&q(2, 1), i64::MAX, &b),
+            Err(Failure::TooLarge(_))
+        ));
         assert_eq!(power(&q(-1, 1), i64::MAX, &b).unwrap(), -1);
-        let sum = Fraction::linear_power(q(0, 1), i64::MAX)
-            .add(&Fraction::constant(q(1, 1)), &b);
+        let sum = Fraction::linear_power(q(0, 1), i64::MAX).add(&Fraction::constant(q(1, 1)), &b);
         assert!(matches!(sum, Err(Failure::TooLarge(_))));
     }
 }

@@ -44,7 +44,11 @@ pub(super) fn ln(x: &Exact, budget: &Budget) -> Result<Exact, Failure> {
     let (power, exponent) = rational_power(x, budget)?
         .ok_or_else(|| unsupported("the logarithm of this number in closed form"))?;
     budget.spend(1 + bits(&power) / 64)?;
-    times(&ln_of(&power)?, &rational(Rational::from((1, exponent))), budget)
+    times(
+        &ln_of(&power)?,
+        &rational(Rational::from((1, exponent))),
+        budget,
+    )
 }
 
 /// `ln x`, which has a value for x > 0 only.
@@ -73,8 +77,14 @@ pub(super) fn rational_exponent(x: &Exact, exponent: &Rational, budget: &Budget)
         Ordering::Equal if exponent.cmp0() == Ordering::Greater => value(Rational::new()),
         Ordering::Equal => Ok(Undefined),
         Ordering::Greater => {
-            let index = exponent.denom().to_u32().ok_or_else(|| too_large("the index of a root"))?;
-            let times = exponent.numer().to_i64().ok_or_else(|| too_large("an exponent"))?;
+            let index = exponent
+                .denom()
+                .to_u32()
+                .ok_or_else(|| too_large("the index of a root"))?;
+            let times = exponent
+                .numer()
+                .to_i64()
+                .ok_or_else(|| too_large("an exponent"))?;
             if index > 64 {
                 return Err(too_large("the index of a root"));
             }
@@ -163,7 +173,8 @@ pub(super) fn rising(a: &Rational, n: u64, budget: &Budget) -> Result<Rational, 
     let step = bits(a).saturating_add(u64::from(u64::BITS - n.leading_zeros()));
     let size = n.saturating_mul(step);
     let last = Rational::from(a + Rational::from(n));
-    let passes_zero = *a.denom() == 1 && a.cmp0() != Ordering::Greater && last.cmp0() == Ordering::Greater;
+    let passes_zero =
+        *a.denom() == 1 && a.cmp0() != Ordering::Greater && last.cmp0() == Ordering::Greater;
     if passes_zero {
         return Ok(Rational::new());
     }
@@ -197,7 +208,9 @@ pub(super) fn binomial(n: &Rational, k: &Rational, budget: &Budget) -> Closed {
         k = k.min(rest);
     }
     let above = Rational::from(n - Rational::from(&k)) + 1u32;
-    let count = k.to_u64().ok_or_else(|| too_large("a binomial coefficient"))?;
+    let count = k
+        .to_u64()
+        .ok_or_else(|| too_large("a binomial coefficient"))?;
     let product = rising(&above, count, budget)?;
     value(product / Rational::from(factorial(&k, budget)?))
 }
@@ -207,7 +220,11 @@ pub(super) fn beta(a: &Rational, b: &Rational, budget: &Budget) -> Closed {
     if a.cmp0() != Ordering::Greater || b.cmp0() != Ordering::Greater {
         return Err(unsupported("beta at arguments that are not positive"));
     }
-    let (integer, other) = if *a.denom() == 1 && (*b.denom() != 1 || a <= b) { (a, b) } else { (b, a) };
+    let (integer, other) = if *a.denom() == 1 && (*b.denom() != 1 || a <= b) {
+        (a, b)
+    } else {
+        (b, a)
+    };
     if *integer.denom() == 1 {
         // B(n, b) = (n-1)!/(b)_n
         let n = integer.numer();
@@ -222,7 +239,9 @@ pub(super) fn beta(a: &Rational, b: &Rational, budget: &Budget) -> Closed {
         return Ok(Undefined);
     };
     let quotient = times(&a, &b, budget)?.div(&sum);
-    quotient.map(Value).ok_or_else(|| unsupported("beta in closed form"))
+    quotient
+        .map(Value)
+        .ok_or_else(|| unsupported("beta in closed form"))
 }
 
 /// `floor(x)`
@@ -270,7 +289,10 @@ fn is_nonpositive_integer(x: &Rational) -> bool {
 
 /// `hyp2f1(a, b; c; z)`, DLMF 15.2.1.
 pub(super) fn hyp2f1([a, b, c, z]: &[Rational; 4], budget: &Budget) -> Closed {
-    let terminating = [a, b].into_iter().filter(|x| is_nonpositive_integer(x)).max();
+    let terminating = [a, b]
+        .into_iter()
+        .filter(|x| is_nonpositive_integer(x))
+        .max();
     if is_nonpositive_integer(c) {
         return match terminating {
             Some(_) => Err(unsupported("hyp2f1 where c is no parameter of the series")),
@@ -292,7 +314,9 @@ pub(super) fn hyp2f1([a, b, c, z]: &[Rational; 4], budget: &Budget) -> Closed {
 
 /// The terms up to z^n of a series that ends there.
 fn terminating_sum([a, b, c, z]: [&Rational; 4], n: &Integer, budget: &Budget) -> Closed {
-    let n = n.to_u64().ok_or_else(|| too_large("a hypergeometric sum"))?;
+    let n = n
+        .to_u64()
+        .ok_or_else(|| too_large("a hypergeometric sum"))?;
     let step = bits(a) + bits(b) + bits(c) + bits(z) + 4 * u64::from(64 - n.leading_zeros());
     let size = n.saturating_mul(step);
     if size > MAX_BITS {
@@ -330,7 +354,9 @@ fn at_one(a: &Rational, b: &Rational, c: &Rational, budget: &Budget) -> Closed {
         return Ok(Undefined);
     };
     let quotient = times(&c, &excess, budget)?.div(&times(&left, &right, budget)?);
-    quotient.map(Value).ok_or_else(|| unsupported("hyp2f1 at 1 in closed form"))
+    quotient
+        .map(Value)
+        .ok_or_else(|| unsupported("hyp2f1 at 1 in closed form"))
 }
 
 /// Euler's integral (DLMF 15.6.1) at positive integers, after Euler's transformation (15.8.1) where
@@ -340,11 +366,20 @@ fn by_integral([a, b, c, z]: [&Rational; 4], budget: &Budget) -> Closed {
     if !integers || [a, b, c].into_iter().any(|x| x.cmp0() != Ordering::Greater) {
         return Err(unsupported("hyp2f1 at these parameters in closed form"));
     }
-    let small = |x: &Rational| x.numer().to_i64().ok_or_else(|| too_large("a hypergeometric function"));
+    let small = |x: &Rational| {
+        x.numer()
+            .to_i64()
+            .ok_or_else(|| too_large("a hypergeometric function"))
+    };
     if c <= a || c <= b {
         let exponent = small(&(Rational::from(c - a) - b))?;
         let factor = power(&(Rational::from(1) - z), exponent, budget)?;
-        let rest = [Rational::from(c - a), Rational::from(c - b), c.clone(), z.clone()];
+        let rest = [
+            Rational::from(c - a),
+            Rational::from(c - b),
+            c.clone(),
+            z.clone(),
+        ];
         let Value(rest) = hyp2f1(&rest, budget)? else {
             return Ok(Undefined);
         };
@@ -359,7 +394,8 @@ fn by_integral([a, b, c, z]: [&Rational; 4], budget: &Budget) -> Closed {
     let weight = beta_kernel(left, right, budget)?;
     // (1-zt)^-a = (-z)^-a (t - 1/z)^-a
     let place = Rational::from(z.recip_ref());
-    let pole = Fraction::linear_power(place, -order).scale(&power(&Rational::from(-z), -order, budget)?);
+    let pole =
+        Fraction::linear_power(place, -order).scale(&power(&Rational::from(-z), -order, budget)?);
     let (zero, one) = (rational(Rational::new()), rational(Rational::from(1)));
     let integral = definite(
         &weight.multiply(&pole, budget)?,
@@ -370,7 +406,10 @@ fn by_integral([a, b, c, z]: [&Rational; 4], budget: &Budget) -> Closed {
     let Value(integral) = integral else {
         return Ok(integral);
     };
-    integral.div(&scale).map(Value).ok_or_else(|| unsupported("hyp2f1 in closed form"))
+    integral
+        .div(&scale)
+        .map(Value)
+        .ok_or_else(|| unsupported("hyp2f1 in closed form"))
 }
 
 /// x^(a-1) (1-x)^(b-1) for integers a, b.

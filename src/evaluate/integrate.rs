@@ -111,7 +111,9 @@ pub(super) fn infinite<T>(sign: Sign) -> Result<Outcome<T>, Failure> {
 
 fn partial_fractions(function: &Fraction, budget: &Budget) -> Result<Parts, Failure> {
     let numerator = function.expanded_numerator(budget)?;
-    let poles: Vec<(Rational, u64)> = function.factors.iter()
+    let poles: Vec<(Rational, u64)> = function
+        .factors
+        .iter()
         .filter(|(_, e)| *e < 0)
         .map(|(r, e)| (r.clone(), e.unsigned_abs()))
         .collect();
@@ -151,7 +153,11 @@ fn principal_part(
     budget: &Budget,
 ) -> Result<Vec<Rational>, Failure> {
     let lone = poles.len() == 1;
-    let terms = if lone { order.min(numerator.len() as u64) } else { order };
+    let terms = if lone {
+        order.min(numerator.len() as u64)
+    } else {
+        order
+    };
     if terms > 10_000 {
         return Err(Failure::TooLarge("a pole's order".into()));
     }
@@ -168,7 +174,8 @@ fn principal_part(
         taylor = truncated_product(&taylor, &series, budget)?;
     }
     // taylor[i] belongs to (x-r)^(i-order).
-    let absent = usize::try_from(order - terms).map_err(|_| Failure::TooLarge("a pole's order".into()))?;
+    let absent =
+        usize::try_from(order - terms).map_err(|_| Failure::TooLarge("a pole's order".into()))?;
     if absent > 10_000 {
         return Err(Failure::TooLarge("a pole's order".into()));
     }
@@ -178,7 +185,12 @@ fn principal_part(
 }
 
 /// (d + t)^-n to so many terms: the binomial series.
-fn inverse_power_series(d: &Rational, n: u64, terms: u64, budget: &Budget) -> Result<Vec<Rational>, Failure> {
+fn inverse_power_series(
+    d: &Rational,
+    n: u64,
+    terms: u64,
+    budget: &Budget,
+) -> Result<Vec<Rational>, Failure> {
     let exponent = i64::try_from(n).map_err(|_| Failure::TooLarge("a pole's order".into()))?;
     let mut coefficient = power(d, -exponent, budget)?;
     let mut series = vec![];
@@ -190,7 +202,11 @@ fn inverse_power_series(d: &Rational, n: u64, terms: u64, budget: &Budget) -> Re
     Ok(series)
 }
 
-fn truncated_product(a: &[Rational], b: &[Rational], budget: &Budget) -> Result<Vec<Rational>, Failure> {
+fn truncated_product(
+    a: &[Rational],
+    b: &[Rational],
+    budget: &Budget,
+) -> Result<Vec<Rational>, Failure> {
     budget.spend((a.len() as u64).saturating_mul(b.len() as u64))?;
     let mut product = vec![Rational::new(); a.len()];
     for (i, left) in a.iter().enumerate() {
@@ -220,7 +236,12 @@ impl Bound {
     }
 }
 
-fn between_rationals(parts: &Parts, a: &Rational, b: &Rational, budget: &Budget) -> Result<Exact, Failure> {
+fn between_rationals(
+    parts: &Parts,
+    a: &Rational,
+    b: &Rational,
+    budget: &Budget,
+) -> Result<Exact, Failure> {
     let integral = antiderivative(&parts.polynomial);
     spend_pass(&integral, budget)?;
     let mut sum = evaluate(&integral, b) - evaluate(&integral, a);
@@ -228,7 +249,8 @@ fn between_rationals(parts: &Parts, a: &Rational, b: &Rational, budget: &Budget)
     for (root, coefficients) in &parts.poles {
         let upper = Rational::from(b - root);
         let lower = Rational::from(a - root);
-        sum += rational_part(coefficients, &upper, budget)? - rational_part(coefficients, &lower, budget)?;
+        sum += rational_part(coefficients, &upper, budget)?
+            - rational_part(coefficients, &lower, budget)?;
         match coefficients.first() {
             Some(first) if *first != 0 => logarithms.push((first, (upper / lower).abs())),
             _ => {}
@@ -243,7 +265,11 @@ fn between_rationals(parts: &Parts, a: &Rational, b: &Rational, budget: &Budget)
 }
 
 /// The sum of c_j/(1-j) * d^(1-j) over j >= 2.
-fn rational_part(coefficients: &[Rational], d: &Rational, budget: &Budget) -> Result<Rational, Failure> {
+fn rational_part(
+    coefficients: &[Rational],
+    d: &Rational,
+    budget: &Budget,
+) -> Result<Rational, Failure> {
     let Some(higher) = coefficients.get(1..) else {
         return Ok(Rational::new());
     };
@@ -272,7 +298,11 @@ fn at_bound(parts: &Parts, bound: &Bound, budget: &Budget) -> Result<Exact, Fail
         return Ok(sum);
     };
     for coefficient in antiderivative(&parts.polynomial).iter().rev() {
-        sum = plus(&times(&sum, x, budget)?, &rational(coefficient.clone()), budget)?;
+        sum = plus(
+            &times(&sum, x, budget)?,
+            &rational(coefficient.clone()),
+            budget,
+        )?;
     }
     for (root, coefficients) in &parts.poles {
         let distance = minus(x, &rational(root.clone()), budget)?;
@@ -303,7 +333,9 @@ pub(super) fn over(
     to: &Bound,
     budget: &Budget,
 ) -> Result<Outcome<Quantity>, Failure> {
-    map_terms(function, symbol, budget, |factor| definite(factor, from, to, budget))
+    map_terms(function, symbol, budget, |factor| {
+        definite(factor, from, to, budget)
+    })
 }
 
 /// Replaces the factor of `symbol` in every term by a number. One that is infinite is so only for a
@@ -321,9 +353,10 @@ pub(super) fn map_terms(
             Outcome::Value(value) => value,
             other if function.terms.len() == 1 && term.others(symbol) == 0 => {
                 let scale = Outcome::Value(term.coefficient.clone());
-                let product = super::outcome::multiply(scale, other, super::closed::sign, |_, _| {
-                    Err(unsupported("a divergent integral"))
-                });
+                let product =
+                    super::outcome::multiply(scale, other, super::closed::sign, |_, _| {
+                        Err(unsupported("a divergent integral"))
+                    });
                 return Ok(product?.map(Quantity::Closed));
             }
             _ => return Err(unsupported("a divergent integral among other terms")),
@@ -339,7 +372,10 @@ pub(super) fn map_terms(
 impl Term {
     /// How many variables other than `symbol` the term has.
     fn others(&self, symbol: Symbol) -> usize {
-        self.factors.keys().filter(|other| **other != symbol).count()
+        self.factors
+            .keys()
+            .filter(|other| **other != symbol)
+            .count()
     }
 }
 
@@ -356,7 +392,9 @@ pub(super) fn between_functions(
     for term in &function.terms {
         let factor = term.factors.get(&symbol).unwrap_or(&one).split(budget)?;
         if factor.factors.iter().any(|(_, e)| *e < 0) {
-            return Err(unsupported("an integral of this kind between variable bounds"));
+            return Err(unsupported(
+                "an integral of this kind between variable bounds",
+            ));
         }
         let integral = antiderivative(&factor.expanded_numerator(budget)?);
         let upper = at_quantity(&integral, &to, budget)?;

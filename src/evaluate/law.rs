@@ -46,7 +46,10 @@ pub(super) enum Weight {
 }
 
 /// The draw that a formula names, and nothing more.
-pub(super) fn named_draw<'a>(quantity: &Formula, scope: &Scope<'a>) -> Result<Option<&'a Draw>, Failure> {
+pub(super) fn named_draw<'a>(
+    quantity: &Formula,
+    scope: &Scope<'a>,
+) -> Result<Option<&'a Draw>, Failure> {
     match quantity {
         Formula::Name(name) => Ok(scope.draws_among([name])?.first().copied()),
         _ => Ok(None),
@@ -61,7 +64,11 @@ pub(super) fn weight(law: &Law, scope: &Scope) -> Result<Outcome<Weight>, Failur
                 return Ok(Undefined);
             };
             let positive = a.cmp0() == Ordering::Greater && b.cmp0() == Ordering::Greater;
-            Ok(if positive { Value(Weight::Beta(a, b)) } else { Undefined })
+            Ok(if positive {
+                Value(Weight::Beta(a, b))
+            } else {
+                Undefined
+            })
         }
         Law::Uniform(a, b) => {
             let (Some(a), Some(b)) = (parameter(a, scope)?, parameter(b, scope)?) else {
@@ -107,7 +114,12 @@ fn uniform(a: Rational, b: Rational) -> Outcome<Weight> {
     })
 }
 
-fn order_statistic(l: &Formula, m: &Formula, base: &Law, scope: &Scope) -> Result<Outcome<Weight>, Failure> {
+fn order_statistic(
+    l: &Formula,
+    m: &Formula,
+    base: &Law,
+    scope: &Scope,
+) -> Result<Outcome<Weight>, Failure> {
     let (Some(l), Some(m)) = (parameter(l, scope)?, parameter(m, scope)?) else {
         return Ok(Undefined);
     };
@@ -118,7 +130,9 @@ fn order_statistic(l: &Formula, m: &Formula, base: &Law, scope: &Scope) -> Resul
         Value(Weight::Beta(a, b)) if a == 1 && b == 1 => {
             Value(Weight::Beta(l.clone(), m - l + 1u32))
         }
-        Value(Weight::Order { .. }) => return Err(unsupported("an order statistic of order statistics")),
+        Value(Weight::Order { .. }) => {
+            return Err(unsupported("an order statistic of order statistics"));
+        }
         Value(base) => Value(Weight::Order {
             l: l.into_numer_denom().0,
             m: m.into_numer_denom().0,
@@ -205,7 +219,9 @@ impl Weight {
                 let l = small(l)?;
                 let rest = small(m)? - l;
                 let ways = multiplicity(l, rest, budget)?;
-                let powers = below.power(l - 1, budget)?.multiply(&above.power(rest, budget)?, budget)?;
+                let powers = below
+                    .power(l - 1, budget)?
+                    .multiply(&above.power(rest, budget)?, budget)?;
                 Ok(powers.multiply(density, budget)?.scale(&ways))
             }
         }
@@ -219,7 +235,10 @@ impl Weight {
                 at_least(small(l)?, small(m)?, &below, &above, budget)
             }
             Weight::Beta(a, b) if *b == 1 && *a.denom() == 1 => {
-                let power = a.numer().to_i64().ok_or_else(|| Failure::TooLarge("a law".into()))?;
+                let power = a
+                    .numer()
+                    .to_i64()
+                    .ok_or_else(|| Failure::TooLarge("a law".into()))?;
                 Fraction::variable().power(power, budget)
             }
             _ => Ok(self.base_cdf(&self.density(budget)?, budget)?.0),
@@ -236,10 +255,16 @@ impl Weight {
     }
 
     /// The integral of a polynomial density from the lower end, and what it leaves up to 1.
-    fn base_cdf(&self, density: &Fraction, budget: &Budget) -> Result<(Fraction, Fraction), Failure> {
+    fn base_cdf(
+        &self,
+        density: &Fraction,
+        budget: &Budget,
+    ) -> Result<(Fraction, Fraction), Failure> {
         let split = density.split(budget)?;
         if split.factors.iter().any(|(_, e)| *e < 0) {
-            return Err(unsupported("the cdf of a law whose density is no polynomial"));
+            return Err(unsupported(
+                "the cdf of a law whose density is no polynomial",
+            ));
         }
         let integral = integrate::antiderivative(&split.expanded_numerator(budget)?);
         let start = integrate::at_quantity(&integral, &Quantity::Closed(self.from_end()), budget)?
@@ -260,7 +285,10 @@ impl Weight {
     pub fn mean(&self, function: &Fraction, budget: &Budget) -> Result<Outcome<Exact>, Failure> {
         if let Weight::Beta(a, b) = self {
             let split = function.split(budget)?;
-            let poles_at_ends = split.factors.iter().all(|(r, e)| *e > 0 || *r == 0 || *r == 1);
+            let poles_at_ends = split
+                .factors
+                .iter()
+                .all(|(r, e)| *e > 0 || *r == 0 || *r == 1);
             if poles_at_ends {
                 return beta_moments(&split, a, b, budget);
             }
@@ -282,7 +310,9 @@ impl Weight {
 }
 
 fn small(value: &Integer) -> Result<i64, Failure> {
-    value.to_i64().ok_or_else(|| Failure::TooLarge("a law's parameter".into()))
+    value
+        .to_i64()
+        .ok_or_else(|| Failure::TooLarge("a law's parameter".into()))
 }
 
 /// (l + rest)!/((l-1)! rest!) = l * binomial(l + rest, l)
@@ -299,7 +329,13 @@ fn multiplicity(l: i64, rest: i64, budget: &Budget) -> Result<Rational, Failure>
 
 /// The probability that at least l of m draws lie below: sum over j >= l of
 /// binomial(m, j) G^j (1-G)^(m-j).
-fn at_least(l: i64, m: i64, below: &Fraction, above: &Fraction, budget: &Budget) -> Result<Fraction, Failure> {
+fn at_least(
+    l: i64,
+    m: i64,
+    below: &Fraction,
+    above: &Fraction,
+    budget: &Budget,
+) -> Result<Fraction, Failure> {
     if m > 2000 {
         return Err(Failure::TooLarge("an order statistic".into()));
     }
@@ -309,7 +345,9 @@ fn at_least(l: i64, m: i64, below: &Fraction, above: &Fraction, budget: &Budget)
         let Value(count) = count else {
             return Err(unsupported("a binomial coefficient"));
         };
-        let product = below.power(j, budget)?.multiply(&above.power(m - j, budget)?, budget)?;
+        let product = below
+            .power(j, budget)?
+            .multiply(&above.power(m - j, budget)?, budget)?;
         let part = product.scale(&count.as_rational().unwrap_or_default());
         sum = sum.add(&part, budget)?;
     }
@@ -322,7 +360,9 @@ fn beta_density(a: &Rational, b: &Rational, budget: &Budget) -> Result<Fraction,
         return Err(Failure::TooLarge("a law's parameter".into()));
     };
     if *a.denom() != 1 || *b.denom() != 1 {
-        return Err(unsupported("a beta law with parameters that are no integers"));
+        return Err(unsupported(
+            "a beta law with parameters that are no integers",
+        ));
     }
     if left.checked_add(right).is_none() {
         return Err(Failure::TooLarge("a law's parameter".into()));
@@ -332,12 +372,22 @@ fn beta_density(a: &Rational, b: &Rational, budget: &Budget) -> Result<Fraction,
 }
 
 /// The mean of a numerator times powers of x and of x-1 and polynomial factors.
-fn beta_moments(function: &Fraction, a: &Rational, b: &Rational, budget: &Budget) -> Result<Outcome<Exact>, Failure> {
+fn beta_moments(
+    function: &Fraction,
+    a: &Rational,
+    b: &Rational,
+    budget: &Budget,
+) -> Result<Outcome<Exact>, Failure> {
     let (zero, one) = (Rational::new(), Rational::from(1));
     let (p, q) = (function.exponent_at(&zero), function.exponent_at(&one));
     let others = Fraction {
         numerator: function.numerator.clone(),
-        factors: function.factors.iter().filter(|(r, _)| *r != 0 && *r != 1).cloned().collect(),
+        factors: function
+            .factors
+            .iter()
+            .filter(|(r, _)| *r != 0 && *r != 1)
+            .cloned()
+            .collect(),
     };
     if others.is_zero() {
         return Ok(Value(rational(zero)));
@@ -353,7 +403,9 @@ fn beta_moments(function: &Fraction, a: &Rational, b: &Rational, budget: &Budget
     let polynomial = multiply(&polynomial, &[Rational::from(sign)], budget)?;
     let mut moment = shift(a, p, budget)? * shift(b, q, budget)?;
     let sum = Rational::from(a + b);
-    let total = p.checked_add(q).ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
+    let total = p
+        .checked_add(q)
+        .ok_or_else(|| Failure::TooLarge("an exponent".into()))?;
     moment /= shift(&sum, total, budget)?;
     let mut mean = Rational::new();
     let mut above = Rational::from(a + Rational::from(p));
@@ -373,7 +425,12 @@ fn beta_moments(function: &Fraction, a: &Rational, b: &Rational, budget: &Budget
 fn shift(a: &Rational, n: i64, budget: &Budget) -> Result<Rational, Failure> {
     let product = match n {
         0.. => functions::rising(a, n.unsigned_abs(), budget)?,
-        _ => functions::rising(&Rational::from(a + Rational::from(n)), n.unsigned_abs(), budget)?.recip(),
+        _ => functions::rising(
+            &Rational::from(a + Rational::from(n)),
+            n.unsigned_abs(),
+            budget,
+        )?
+        .recip(),
     };
     Ok(product)
 }
@@ -396,7 +453,8 @@ pub(super) fn at_place(
     if super::closed::sign(&minus(&place, &weight.from_end(), scope.budget())?)? == Ordering::Less {
         return outside(0);
     }
-    if super::closed::sign(&minus(&place, &weight.to_end(), scope.budget())?)? == Ordering::Greater {
+    if super::closed::sign(&minus(&place, &weight.to_end(), scope.budget())?)? == Ordering::Greater
+    {
         return outside(u32::from(cumulative));
     }
     let budget = scope.budget();
@@ -409,7 +467,11 @@ pub(super) fn at_place(
 }
 
 /// A rational function at a quantity.
-fn compose(function: &Fraction, x: Quantity, budget: &Budget) -> Result<Outcome<Quantity>, Failure> {
+fn compose(
+    function: &Fraction,
+    x: Quantity,
+    budget: &Budget,
+) -> Result<Outcome<Quantity>, Failure> {
     if let Quantity::Open(place) = &x
         && let Some(symbol) = place.as_symbol()
     {
@@ -418,7 +480,9 @@ fn compose(function: &Fraction, x: Quantity, budget: &Budget) -> Result<Outcome<
     let split = function.split(budget)?;
     let mut value = integrate::at_quantity(&split.numerator, &x, budget)?;
     for (root, exponent) in &split.factors {
-        let distance = x.clone().add(Quantity::rational(Rational::from(-root)), budget)?;
+        let distance = x
+            .clone()
+            .add(Quantity::rational(Rational::from(-root)), budget)?;
         let Value(power) = distance.power(*exponent, budget)? else {
             return Ok(Undefined);
         };

@@ -28,7 +28,9 @@ pub(super) fn exact(body: &Formula, places: &[(Name, Formula)], scope: &Scope) -
         }
     }
     let names: Vec<&Name> = places.iter().map(|(name, _)| name).collect();
-    bound(body, &values, scope, &mut |body, scope| at_place(body, &names, scope))
+    bound(body, &values, scope, &mut |body, scope| {
+        at_place(body, &names, scope)
+    })
 }
 
 fn at_place(body: &Formula, names: &[&Name], scope: &Scope) -> Evaluation {
@@ -107,14 +109,23 @@ fn continuous_integral(ranged: &Ranged, names: &[&Name], scope: &Scope) -> Resul
     continuous_integrand(&ranged.body, &ranged.name, &ends[0], &ends[1], scope)
 }
 
-fn continuous_power(base: &Formula, exponent: &Formula, names: &[&Name], scope: &Scope) -> Result<(), Failure> {
+fn continuous_power(
+    base: &Formula,
+    exponent: &Formula,
+    names: &[&Name],
+    scope: &Scope,
+) -> Result<(), Failure> {
     let fixed = !depends(exponent, names, scope)?;
     let whole = match value(exponent, scope)? {
         Value(Quantity::Closed(e)) => e.as_rational().is_some_and(|e| *e.denom() == 1),
         _ => false,
     };
     // An integer power that has a value is no pole.
-    if fixed && whole { Ok(()) } else { require_positive(base, scope, 0) }
+    if fixed && whole {
+        Ok(())
+    } else {
+        require_positive(base, scope, 0)
+    }
 }
 
 fn require_positive(formula: &Formula, scope: &Scope, shift: i64) -> Result<(), Failure> {
@@ -128,16 +139,24 @@ fn require_positive(formula: &Formula, scope: &Scope, shift: i64) -> Result<(), 
     }
 }
 
-fn continuous_call(function: Function, arguments: &[Formula], names: &[&Name], scope: &Scope) -> Result<(), Failure> {
+fn continuous_call(
+    function: Function,
+    arguments: &[Formula],
+    names: &[&Name],
+    scope: &Scope,
+) -> Result<(), Failure> {
     for argument in arguments {
         continuous(argument, names, scope)?;
     }
     match (function, arguments) {
         (Function::Abs | Function::Exp | Function::Sin | Function::Cos, _)
         | (Function::Min | Function::Max, _) => Ok(()),
-        (Function::Sqrt | Function::Ln | Function::Gamma | Function::LnGamma | Function::Beta, all) => {
-            all.iter().try_for_each(|argument| require_positive(argument, scope, 0))
-        }
+        (
+            Function::Sqrt | Function::Ln | Function::Gamma | Function::LnGamma | Function::Beta,
+            all,
+        ) => all
+            .iter()
+            .try_for_each(|argument| require_positive(argument, scope, 0)),
         (Function::Hyp2F1 | Function::Hyp2F1Regularized, [_, _, c, z]) => {
             require_positive(c, scope, 0)?;
             let one_minus = Formula::binary(Operator::Subtract, Formula::integer(1), z.clone());
@@ -149,7 +168,12 @@ fn continuous_call(function: Function, arguments: &[Formula], names: &[&Name], s
 
 /// Under a beta or uniform law the mean of a function that is continuous on the closed support, jointly
 /// with the names, is continuous in the law's parameters and the names.
-fn continuous_mean(body: &Formula, own: Option<&Draw>, names: &[&Name], scope: &Scope) -> Result<(), Failure> {
+fn continuous_mean(
+    body: &Formula,
+    own: Option<&Draw>,
+    names: &[&Name],
+    scope: &Scope,
+) -> Result<(), Failure> {
     let free = Part::Formula(body).free_names();
     let draws = match own {
         Some(draw) => vec![draw],
@@ -192,7 +216,9 @@ fn continuous_integrand(
         return Err(unsupported("the limit of an integral of this kind"));
     }
     let (Some((Some(low), _)), Some((_, Some(high)))) = (from.neighbours(), to.neighbours()) else {
-        return Err(unsupported("the limit of an integral over an unbounded range"));
+        return Err(unsupported(
+            "the limit of an integral over an unbounded range",
+        ));
     };
     let width = Rational::from(&high - &low);
     let mark = |part: u32| Rational::from(&width * Rational::from((part, PARTS))) + &low;

@@ -131,7 +131,9 @@ impl<'n> Search<'_, '_> {
                     fixed &= self.is_fixed(place, hidden)?;
                 }
                 if !fixed && has_conditions(Part::Formula(body)) {
-                    return Err(unsupported("a condition on a replaced variable in an integrand"));
+                    return Err(unsupported(
+                        "a condition on a replaced variable in an integrand",
+                    ));
                 }
                 Ok(())
             }
@@ -140,7 +142,12 @@ impl<'n> Search<'_, '_> {
     }
 
     /// The ends of a draw's support are places of change of its density and cdf.
-    fn support(&mut self, quantity: &Formula, x: &Formula, hidden: &[&Name]) -> Result<(), Failure> {
+    fn support(
+        &mut self,
+        quantity: &Formula,
+        x: &Formula,
+        hidden: &[&Name],
+    ) -> Result<(), Failure> {
         if self.is_fixed(x, hidden)? {
             return Ok(());
         }
@@ -160,17 +167,27 @@ impl<'n> Search<'_, '_> {
         Ok(())
     }
 
-    fn comparison(&mut self, left: &Formula, right: &Formula, hidden: &[&Name]) -> Result<(), Failure> {
+    fn comparison(
+        &mut self,
+        left: &Formula,
+        right: &Formula,
+        hidden: &[&Name],
+    ) -> Result<(), Failure> {
         if self.is_fixed(left, hidden)? && self.is_fixed(right, hidden)? {
             return Ok(());
         }
         for side in [left, right] {
             if mentions(side, hidden) {
-                return Err(unsupported("a condition on inner variables in an integrand"));
+                return Err(unsupported(
+                    "a condition on inner variables in an integrand",
+                ));
             }
         }
         self.found = true;
-        self.zeros(exact::value(left, self.scope)?, exact::value(right, self.scope)?)
+        self.zeros(
+            exact::value(left, self.scope)?,
+            exact::value(right, self.scope)?,
+        )
     }
 
     /// Whether the formula does not change with the symbol: none of its names outside of inner
@@ -215,14 +232,21 @@ impl<'n> Search<'_, '_> {
         };
         let mut factors = term.factors.iter();
         let (Some((symbol, function)), None) = (factors.next(), factors.next()) else {
-            return Err(unsupported("a condition on several variables in an integrand"));
+            return Err(unsupported(
+                "a condition on several variables in an integrand",
+            ));
         };
         if *symbol != self.symbol {
             return Ok(());
         }
         let budget = self.scope.budget();
         let split = function.split(budget)?;
-        self.cuts.extend(split.factors.iter().map(|(root, _)| closed::rational(root.clone())));
+        self.cuts.extend(
+            split
+                .factors
+                .iter()
+                .map(|(root, _)| closed::rational(root.clone())),
+        );
         if let Some(roots) = binomial_roots(&split) {
             self.cuts.extend(roots);
             return Ok(());
@@ -233,7 +257,9 @@ impl<'n> Search<'_, '_> {
         };
         match sign::on(&rest, self.from, self.to, budget)? {
             Sign::NonNegative | Sign::NonPositive => Ok(()),
-            Sign::Mixed | Sign::Unknown => Err(unsupported("the zeros of a condition's difference")),
+            Sign::Mixed | Sign::Unknown => {
+                Err(unsupported("the zeros of a condition's difference"))
+            }
         }
     }
 }
@@ -270,7 +296,8 @@ fn between(cuts: Vec<Exact>, from: &Bound, to: &Bound) -> Result<Vec<Piece>, Fai
     }
     marks.push(to.clone());
     let pairs = marks.windows(2);
-    pairs.map(|pair| {
+    pairs
+        .map(|pair| {
             Ok(Piece {
                 from: pair[0].clone(),
                 to: pair[1].clone(),

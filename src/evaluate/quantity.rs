@@ -8,8 +8,8 @@
 //! At rational parameters an integrand is nearly always a single term; roots, logarithms and pi make
 //! further ones.
 
-use super::fraction::Fraction;
 use super::closed::{plus, rational, sign, times, to_power};
+use super::fraction::Fraction;
 use super::{Failure, Outcome, undecided, unsupported};
 use crate::formula::Budget;
 use crate::number::Exact;
@@ -85,13 +85,18 @@ impl Term {
 
     /// The sum as one term, if both differ in one variable only and have rational coefficients.
     fn merge(&self, other: &Term, budget: &Budget) -> Result<Option<Term>, Failure> {
-        let (Some(left), Some(right)) =
-            (self.coefficient.as_rational(), other.coefficient.as_rational())
-        else {
+        let (Some(left), Some(right)) = (
+            self.coefficient.as_rational(),
+            other.coefficient.as_rational(),
+        ) else {
             return Ok(None);
         };
-        let names: std::collections::BTreeSet<Symbol> =
-            self.factors.keys().chain(other.factors.keys()).copied().collect();
+        let names: std::collections::BTreeSet<Symbol> = self
+            .factors
+            .keys()
+            .chain(other.factors.keys())
+            .copied()
+            .collect();
         let mut differing = names
             .into_iter()
             .filter(|symbol| self.factors.get(symbol) != other.factors.get(symbol));
@@ -106,8 +111,18 @@ impl Term {
         if differing.next().is_some() {
             return Ok(None);
         }
-        let a = self.factors.get(&symbol).unwrap_or(&one).clone().scale(&left);
-        let b = other.factors.get(&symbol).unwrap_or(&one).clone().scale(&right);
+        let a = self
+            .factors
+            .get(&symbol)
+            .unwrap_or(&one)
+            .clone()
+            .scale(&left);
+        let b = other
+            .factors
+            .get(&symbol)
+            .unwrap_or(&one)
+            .clone()
+            .scale(&right);
         let mut sum = self.clone();
         sum.coefficient = rational(Rational::from(1));
         sum.factors.remove(&symbol);
@@ -135,7 +150,9 @@ impl Separable {
 
     /// Whether the variable occurs.
     pub fn mentions(&self, symbol: Symbol) -> bool {
-        self.terms.iter().any(|term| term.factors.contains_key(&symbol))
+        self.terms
+            .iter()
+            .any(|term| term.factors.contains_key(&symbol))
     }
 
     /// The variable that this is.
@@ -325,7 +342,9 @@ impl Quantity {
                         Some(false) => {}
                     }
                 }
-                Ok(Outcome::Value(Quantity::Closed(to_power(&value, exponent, budget)?)))
+                Ok(Outcome::Value(Quantity::Closed(to_power(
+                    &value, exponent, budget,
+                )?)))
             }
             Quantity::Open(function) => {
                 let power = function.power(exponent, budget)?;

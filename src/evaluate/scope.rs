@@ -115,7 +115,9 @@ impl<'a> Scope<'a> {
             Some(Binding::Quantity(quantity)) => Ok(quantity.clone()),
             Some(Binding::Enclosed(_)) => Err(unsupported(format!("{name} exactly"))),
             Some(Binding::Symbol { symbol, .. }) => Ok(Quantity::Open(Separable::symbol(*symbol))),
-            None => self.parameter(name).map(|value| Quantity::Closed(value.clone())),
+            None => self
+                .parameter(name)
+                .map(|value| Quantity::Closed(value.clone())),
         }
     }
 
@@ -138,7 +140,11 @@ impl<'a> Scope<'a> {
 
     /// The draw of that name.
     pub fn draw(&self, name: &Name) -> Option<&'a Draw> {
-        self.root.context.draws.iter().find(|draw| draw.name == *name)
+        self.root
+            .context
+            .draws
+            .iter()
+            .find(|draw| draw.name == *name)
     }
 
     /// A symbol that no other binding has.
@@ -153,7 +159,9 @@ impl<'a> Scope<'a> {
         let mut next = self.inner;
         while let Some(link) = next {
             match &link.binding {
-                Binding::Symbol { symbol, sample, .. } if *symbol == wanted => return sample.as_ref(),
+                Binding::Symbol { symbol, sample, .. } if *symbol == wanted => {
+                    return sample.as_ref();
+                }
                 _ => next = link.outer.inner,
             }
         }
@@ -172,7 +180,11 @@ impl<'a> Scope<'a> {
             };
             match self.binding(name) {
                 None | Some(Binding::Symbol { draw: true, .. }) => draws.push(draw),
-                Some(_) => return Err(unsupported(format!("{name} both as draw and bound variable"))),
+                Some(_) => {
+                    return Err(unsupported(format!(
+                        "{name} both as draw and bound variable"
+                    )));
+                }
             }
         }
         Ok(draws)

@@ -63,7 +63,10 @@ pub(super) fn on(
         let above = ends.outer.0.as_ref().is_none_or(|low| root > low);
         above && ends.outer.1.as_ref().is_none_or(|high| root < high)
     };
-    let changes = function.factors.iter().any(|(root, e)| e % 2 != 0 && inside(root));
+    let changes = function
+        .factors
+        .iter()
+        .any(|(root, e)| e % 2 != 0 && inside(root));
     if changes || !has_one_sign(&function.numerator, &ends.outer, budget)? {
         return Ok(Sign::Unknown);
     }
@@ -80,7 +83,14 @@ fn seen_signs(function: &Fraction, ends: &Ends, budget: &Budget) -> Result<Vec<O
     let (low, high) = &ends.inner;
     let mut marks = vec![low.clone()];
     let inside = |root: &&Rational| *root > low && *root < high;
-    marks.extend(function.factors.iter().map(|(root, _)| root).filter(inside).cloned());
+    marks.extend(
+        function
+            .factors
+            .iter()
+            .map(|(root, _)| root)
+            .filter(inside)
+            .cloned(),
+    );
     marks.push(high.clone());
     let mut signs = vec![];
     for pair in marks.windows(2) {

@@ -8,13 +8,11 @@ mod relate;
 mod statement;
 mod verdict;
 
-pub use verdict::{
-    Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport,
-};
+pub use verdict::{Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
 
-use crate::book::{Claim, Expectation, Fault, IllTyped};
+use crate::book::{Claim, Fault, IllTyped};
 use crate::formula::{Budget, Condition, Point, Proposition, Relation, Statement};
-use crate::kernel::Value;
+use crate::kernel::{Because, Value};
 use crate::number::Interval;
 use crate::number::convert::to_rug;
 use points::Domain;
@@ -37,7 +35,12 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { seed: 1, digits: 50, budget: 30_000_000, points: 120 }
+        Settings {
+            seed: 1,
+            digits: 50,
+            budget: 30_000_000,
+            points: 120,
+        }
     }
 }
 
@@ -45,12 +48,23 @@ impl Default for Settings {
 pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Report {
     let started = Instant::now();
     let budget = Budget::new(settings.budget);
-    let bench = Bench { claim, settings, budget: &budget };
+    let bench = Bench {
+        claim,
+        settings,
+        budget: &budget,
+    };
     let (printed, mended) = (claim.printed(), claim.mended());
     let printed_finding = bench.find(&printed);
     let mended_finding = mended.as_ref().map(|mended| bench.find(mended));
-    let needs_fault = mended.as_ref().and_then(|mended| bench.needs_fault(mended.as_ref().ok()?));
-    let fault = bench.fault(&printed_finding, &printed, mended.as_ref(), mended_finding.as_ref());
+    let needs_fault = mended
+        .as_ref()
+        .and_then(|mended| bench.needs_fault(mended.as_ref().ok()?));
+    let fault = bench.fault(
+        &printed_finding,
+        &printed,
+        mended.as_ref(),
+        mended_finding.as_ref(),
+    );
     let mut printed = answer(printed_finding, &printed, &claim.says_text, fault);
     printed.links = bench.links(previous);
     let mended = mended.zip(mended_finding).map(|(mended, finding)| {
@@ -111,11 +125,17 @@ impl Bench<'_> {
         let holds = if self.claim.mend.is_none() {
             mended_finding.is_some_and(Finding::positive)
         } else {
-            let under_needs =
-                Proposition { statement: printed.statement.clone(), ..mended.clone() };
+            let under_needs = Proposition {
+                statement: printed.statement.clone(),
+                ..mended.clone()
+            };
             judge_proposition(&under_needs, self.budget, self.settings).positive()
         };
-        if holds { Fault::Domain } else { Fault::Statement }
+        if holds {
+            Fault::Domain
+        } else {
+            Fault::Statement
+        }
     }
 
     /// `needs` is tried: every point that it shuts out must fail, or have no value on either side.
@@ -128,12 +148,18 @@ impl Bench<'_> {
         outside.domain.push(Condition::Not(Box::new(needs)));
         let domain = Domain::new(&outside, self.budget);
         let points = domain.small(SHUT_OUT_POINTS, 100 * SHUT_OUT_POINTS);
-        let held = points.iter().find(|point| {
-            holds_at(&outside, point, self.budget, self.settings) == Some(true)
-        })?;
-        let values: Vec<String> =
-            held.numbers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        Some(format!("stronger than necessary: the statement holds at {}", values.join(", ")))
+        let held = points
+            .iter()
+            .find(|point| holds_at(&outside, point, self.budget, self.settings) == Some(true))?;
+        let values: Vec<String> = held
+            .numbers
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        Some(format!(
+            "stronger than necessary: the statement holds at {}",
+            values.join(", ")
+        ))
     }
 
     fn links(&self, previous: Option<&Claim>) -> Vec<LinkReport> {
@@ -143,14 +169,17 @@ impl Bench<'_> {
             return Vec::new();
         };
         let verdict = judge_proposition(&proposition, self.budget, self.settings).verdict;
-        vec![LinkReport { with: previous.id.to_string(), verdict }]
+        vec![LinkReport {
+            with: previous.id.to_string(),
+            verdict,
+        }]
     }
 
     fn as_expected(&self, printed: &Answer, mended: Option<&Answer>) -> bool {
-        Expectation::of(self.claim).met(
-            (printed.verdict.into(), printed.fault),
-            mended.map(|mended| (mended.verdict.into(), mended.fault)),
-        )
+        self.claim
+            .printed_meets(printed.verdict.word(), printed.fault)
+            && mended
+                .is_none_or(|mended| self.claim.mended_meets(mended.verdict.word(), mended.fault))
     }
 }
 
@@ -164,7 +193,10 @@ fn answer(
         verdict: finding.verdict,
         fault: (finding.verdict == Verdict::Refuted).then_some(fault),
         written: written.to_string(),
-        statement: unfolded.as_ref().map(ToString::to_string).unwrap_or_default(),
+        statement: unfolded
+            .as_ref()
+            .map(ToString::to_string)
+            .unwrap_or_default(),
         extent: finding.extent,
         reason: finding.reason,
         witness: finding.witness.map(report_witness),
@@ -178,13 +210,23 @@ fn answer(
 
 fn report_witness(evidence: Evidence) -> WitnessReport {
     match evidence {
-        Evidence::Checked { witness, refutation } => WitnessReport {
+        Evidence::Checked {
+            witness,
+            refutation,
+        } => WitnessReport {
             point: point_text(&witness.point),
-            values: [value_text(refutation.left()), value_text(refutation.right())],
-            because: refutation.because().word(),
+            values: [
+                value_text(refutation.left()),
+                value_text(refutation.right()),
+            ],
+            because: because_word(refutation.because()),
         },
-        Evidence::Series { point, claimed, found } => WitnessReport {
-            point: point.as_ref().map(point_text).unwrap_or_default(),
+        Evidence::Series {
+            point,
+            claimed,
+            found,
+        } => WitnessReport {
+            point: point_text(&point),
             values: [Some(found), Some(claimed)],
             because: "remainder",
         },
@@ -192,7 +234,10 @@ fn report_witness(evidence: Evidence) -> WitnessReport {
 }
 
 fn point_text(point: &Point) -> BTreeMap<String, String> {
-    let numbers = point.numbers.iter().map(|(name, value)| (name.to_string(), value.to_string()));
+    let numbers = point
+        .numbers
+        .iter()
+        .map(|(name, value)| (name.to_string(), value.to_string()));
     let functions = point
         .functions
         .iter()
@@ -216,21 +261,36 @@ fn value_text(value: &Value) -> Option<String> {
     }
 }
 
+fn because_word(because: Because) -> &'static str {
+    match because {
+        Because::Disjoint => "disjoint",
+        Because::Equal => "equal",
+        Because::Undefined => "undefined",
+        Because::Duty => "duty",
+    }
+}
+
 /// Digits of a witness's values that a reader is shown, and bits that hold them.
-const SHOWN_DIGITS: u32 = 17;
+const SHOWN_DIGITS: usize = 17;
 const SHOWN_BITS: u32 = 80;
 
 fn kind(statement: &Statement) -> Kind {
     match statement {
-        Statement::All(parts) => {
-            parts.iter().map(kind).find(|kind| *kind == Kind::Expansion).unwrap_or_else(|| {
-                parts.first().map(kind).unwrap_or(Kind::Words)
-            })
-        }
+        Statement::All(parts) => parts
+            .iter()
+            .map(kind)
+            .find(|kind| *kind == Kind::Expansion)
+            .unwrap_or_else(|| parts.first().map(kind).unwrap_or(Kind::Words)),
         Statement::Chain { links, .. } => {
-            if links.iter().any(|(relation, right)| is_expansion(*relation, right)) {
+            if links
+                .iter()
+                .any(|(relation, right)| is_expansion(*relation, right))
+            {
                 Kind::Expansion
-            } else if links.iter().all(|(relation, _)| *relation == Relation::Equal) {
+            } else if links
+                .iter()
+                .all(|(relation, _)| *relation == Relation::Equal)
+            {
                 Kind::Identity
             } else {
                 Kind::Inequality

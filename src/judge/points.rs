@@ -87,7 +87,13 @@ impl<'a> Domain<'a> {
                 None => closed.push(relating),
             }
         }
-        Domain { steps, functions, draws: &proposition.draws, closed, budget }
+        Domain {
+            steps,
+            functions,
+            draws: &proposition.draws,
+            closed,
+            budget,
+        }
     }
 
     /// At most `count` points in order of size. The search ends when `visits` partial points have been
@@ -104,7 +110,14 @@ impl<'a> Domain<'a> {
         let mut left = visits;
         let smallest = self.steps.len();
         for total in smallest..smallest + 60 {
-            self.descend(0, total, &mut Point::default(), &mut found, count, &mut left);
+            self.descend(
+                0,
+                total,
+                &mut Point::default(),
+                &mut found,
+                count,
+                &mut left,
+            );
             if found.len() >= count || left == 0 {
                 break;
             }
@@ -134,11 +147,17 @@ impl<'a> Domain<'a> {
 
     fn closed_holds(&self) -> bool {
         let point = Point::default();
-        self.closed.iter().all(|relating| self.holds(relating.condition(), &point))
+        self.closed
+            .iter()
+            .all(|relating| self.holds(relating.condition(), &point))
     }
 
     fn holds(&self, condition: &Condition, point: &Point) -> bool {
-        let context = Context { point, draws: self.draws, budget: self.budget };
+        let context = Context {
+            point,
+            draws: self.draws,
+            budget: self.budget,
+        };
         evaluate::holds(condition, &context).unwrap_or(false)
     }
 
@@ -153,7 +172,11 @@ impl<'a> Domain<'a> {
     ) {
         let step = &self.steps[index];
         let rest = self.steps.len() - index - 1;
-        let sizes = if rest == 0 { total..=total } else { 1..=total - rest };
+        let sizes = if rest == 0 {
+            total..=total
+        } else {
+            1..=total - rest
+        };
         let bounds = self.bounds(step, point);
         for size in sizes {
             for value in values_of_size(size, step.integer) {
@@ -165,7 +188,11 @@ impl<'a> Domain<'a> {
                 }
                 *left -= 1;
                 point.numbers.insert(step.name.clone(), value);
-                if step.ready.iter().all(|relating| self.holds(relating.condition(), point)) {
+                if step
+                    .ready
+                    .iter()
+                    .all(|relating| self.holds(relating.condition(), point))
+                {
                     if rest == 0 {
                         self.with_functions(point.clone(), found, count, FUNCTIONS);
                     } else {
@@ -189,7 +216,11 @@ impl<'a> Domain<'a> {
                     random_rational(&bounds, reach, rng)
                 };
                 point.numbers.insert(step.name.clone(), value);
-                if step.ready.iter().all(|relating| self.holds(relating.condition(), &point)) {
+                if step
+                    .ready
+                    .iter()
+                    .all(|relating| self.holds(relating.condition(), &point))
+                {
                     settled = true;
                     break;
                 }
@@ -208,7 +239,9 @@ impl<'a> Domain<'a> {
             if let Relating::Pair(left, relation, right, _) = relating {
                 let (other, relation) = match (left, right) {
                     (Formula::Name(name), other) if name == step.name => (other, *relation),
-                    (other, Formula::Name(name)) if name == step.name => (other, mirrored(*relation)),
+                    (other, Formula::Name(name)) if name == step.name => {
+                        (other, mirrored(*relation))
+                    }
                     _ => continue,
                 };
                 if let Some(value) = self.number(other, point) {
@@ -220,11 +253,15 @@ impl<'a> Domain<'a> {
     }
 
     fn number(&self, formula: &Formula, point: &Point) -> Option<Rational> {
-        let context = Context { point, draws: self.draws, budget: self.budget };
+        let context = Context {
+            point,
+            draws: self.draws,
+            budget: self.budget,
+        };
         match evaluate::exact(formula, &context) {
-            Ok(Outcome::Value(value)) => {
-                value.as_rational().map(|rational| crate::number::convert::from_rug(&rational))
-            }
+            Ok(Outcome::Value(value)) => value
+                .as_rational()
+                .map(|rational| crate::number::convert::from_rug(&rational)),
             _ => None,
         }
     }
@@ -241,15 +278,28 @@ impl<'a> Domain<'a> {
     }
 
     /// Adds the point with the `pick`-th choice of function parameters, if that choice is possible.
-    fn with_functions_from(&self, mut point: Point, found: &mut Vec<Point>, count: usize, pick: usize) {
+    fn with_functions_from(
+        &self,
+        mut point: Point,
+        found: &mut Vec<Point>,
+        count: usize,
+        pick: usize,
+    ) {
         for (index, parameter) in self.functions.iter().enumerate() {
-            let ParameterKind::Function { argument, kind, from, to } = &parameter.kind else {
+            let ParameterKind::Function {
+                argument,
+                kind,
+                from,
+                to,
+            } = &parameter.kind
+            else {
                 return;
             };
             let polynomial = POLYNOMIALS[(pick + 2 * index) % FUNCTIONS];
             let body = match kind {
                 FunctionKind::Density => {
-                    let (Some(from), Some(to)) = (self.number(from, &point), self.number(to, &point))
+                    let (Some(from), Some(to)) =
+                        (self.number(from, &point), self.number(to, &point))
                     else {
                         return;
                     };
@@ -258,9 +308,15 @@ impl<'a> Domain<'a> {
                     }
                     density(argument, polynomial, &from, &to)
                 }
-                _ => horner(argument, &polynomial.map(|c| Rational::from_integer(c.into())), &Rational::zero()),
+                _ => horner(
+                    argument,
+                    &polynomial.map(|c| Rational::from_integer(c.into())),
+                    &Rational::zero(),
+                ),
             };
-            point.functions.insert(parameter.name.clone(), (argument.clone(), body));
+            point
+                .functions
+                .insert(parameter.name.clone(), (argument.clone(), body));
         }
         if found.len() < count {
             found.push(point);
@@ -270,8 +326,14 @@ impl<'a> Domain<'a> {
 
 /// Coefficients, constant term first, of the polynomials that function parameters are tried with.
 /// For densities they multiply powers of the distance to the lower end, in absolute value.
-const POLYNOMIALS: [[i64; 4]; FUNCTIONS] =
-    [[0, 1, 0, 0], [1, 0, 0, 0], [1, 2, 0, 0], [0, 0, 1, 0], [2, -1, 3, 0], [1, 1, -2, 1]];
+const POLYNOMIALS: [[i64; 4]; FUNCTIONS] = [
+    [0, 1, 0, 0],
+    [1, 0, 0, 0],
+    [1, 2, 0, 0],
+    [0, 0, 1, 0],
+    [2, -1, 3, 0],
+    [1, 1, -2, 1],
+];
 const FUNCTIONS: usize = 6;
 
 /// The formula of `sum c_i (argument - shift)^i`.
@@ -280,7 +342,11 @@ fn horner(argument: &Name, coefficients: &[Rational; 4], shift: &Rational) -> Fo
     let base = if shift.is_zero() {
         Formula::Name(argument.clone())
     } else {
-        Formula::binary(Subtract, Formula::Name(argument.clone()), Formula::Number(shift.clone()))
+        Formula::binary(
+            Subtract,
+            Formula::Name(argument.clone()),
+            Formula::Number(shift.clone()),
+        )
     };
     let mut sum: Option<Formula> = None;
     for (power, coefficient) in coefficients.iter().enumerate() {
@@ -376,7 +442,11 @@ fn mirrored(relation: Relation) -> Relation {
 
 /// The size of a point: numerators and denominators in total.
 pub fn size(point: &Point) -> BigInt {
-    point.numbers.values().map(|value| value.numer().abs() + value.denom()).sum()
+    point
+        .numbers
+        .values()
+        .map(|value| value.numer().abs() + value.denom())
+        .sum()
 }
 
 /// The values p/q in lowest terms with |p| + q = size, nonnegative first.
@@ -395,7 +465,12 @@ fn values_of_size(size: usize, integer: bool) -> Vec<Rational> {
         }
         values.push(value);
     }
-    values.sort_by(|a, b| b.is_negative().cmp(&a.is_negative()).reverse().then(a.cmp(b)));
+    values.sort_by(|a, b| {
+        b.is_negative()
+            .cmp(&a.is_negative())
+            .reverse()
+            .then(a.cmp(b))
+    });
     values
 }
 

@@ -30,7 +30,10 @@ pub fn relate(
     context: &Context,
     digits: u32,
 ) -> AtPoint {
-    match (evaluate::exact(left, context), evaluate::exact(right, context)) {
+    match (
+        evaluate::exact(left, context),
+        evaluate::exact(right, context),
+    ) {
         (Err(Failure::Exhausted), _) | (_, Err(Failure::Exhausted)) => {
             AtPoint::Unknown("the budget of steps is spent".into())
         }
@@ -92,7 +95,12 @@ fn relate_enclosed(
 }
 
 /// `None`: more bits may decide.
-fn compare_enclosed(a: &Interval, relation: Relation, b: &Interval, digits: u32) -> Option<AtPoint> {
+fn compare_enclosed(
+    a: &Interval,
+    relation: Relation,
+    b: &Interval,
+    digits: u32,
+) -> Option<AtPoint> {
     match a.sub(b).sign() {
         Some(ordering) if ordering != Ordering::Equal || (a.is_point() && b.is_point()) => {
             Some(settled(relation, ordering, false))
@@ -121,5 +129,9 @@ fn settled(relation: Relation, ordering: Ordering, exact: bool) -> AtPoint {
             return AtPoint::Unknown("an expansion says nothing at a single point".into());
         }
     };
-    if holds { AtPoint::Holds { exact } } else { AtPoint::Fails { both_valued: true } }
+    if holds {
+        AtPoint::Holds { exact }
+    } else {
+        AtPoint::Fails { both_valued: true }
+    }
 }

@@ -11,7 +11,7 @@ use crate::formula::{
     RangeKind, Ranged, Regime, Relation, Statement,
 };
 use crate::kernel::{self, Refutation, Witness};
-use crate::prover::asymptotics::{ExpansionVerdict, judge_expansion};
+use crate::prover::{ExpansionVerdict, judge_expansion};
 
 /// What was found out about one part of a statement, or about the whole.
 #[derive(Debug)]
@@ -27,17 +27,37 @@ pub struct Finding {
 #[derive(Debug)]
 pub enum Evidence {
     /// The kernel checked this witness.
-    Checked { witness: Witness, refutation: Refutation },
+    Checked {
+        witness: Witness,
+        refutation: Refutation,
+    },
     /// The exact series of both sides differ: until expansions have constants, this is not the
     /// kernel's word.
-    Series { point: Option<Point>, claimed: String, found: String },
+    Series {
+        point: Point,
+        claimed: String,
+        found: String,
+    },
 }
 
 /// One part of a statement; relations and duties are numbered as the kernel numbers them.
 enum Part<'a> {
-    Relation { left: &'a Formula, relation: Relation, right: &'a Formula },
-    Expansion { left: &'a Formula, relation: Relation, right: &'a Formula, regime: &'a Regime },
-    Definition { arguments: &'a [Name], body: &'a Formula, duties: &'a [Duty] },
+    Relation {
+        left: &'a Formula,
+        relation: Relation,
+        right: &'a Formula,
+    },
+    Expansion {
+        left: &'a Formula,
+        relation: Relation,
+        right: &'a Formula,
+        regime: &'a Regime,
+    },
+    Definition {
+        arguments: &'a [Name],
+        body: &'a Formula,
+        duties: &'a [Duty],
+    },
     Noted,
     /// A condition on another claim that the book could not unfold.
     Unresolved,
@@ -45,17 +65,29 @@ enum Part<'a> {
 
 impl Finding {
     fn plain(verdict: Verdict) -> Finding {
-        Finding { verdict, extent: None, reason: None, witness: None, series: None }
+        Finding {
+            verdict,
+            extent: None,
+            reason: None,
+            witness: None,
+            series: None,
+        }
     }
 
     /// A verdict with its reason.
     pub fn because(verdict: Verdict, reason: impl Into<String>) -> Finding {
-        Finding { reason: Some(reason.into()), ..Finding::plain(verdict) }
+        Finding {
+            reason: Some(reason.into()),
+            ..Finding::plain(verdict)
+        }
     }
 
     /// Whether the statement may be relied on.
     pub fn positive(&self) -> bool {
-        matches!(self.verdict, Verdict::Proved | Verdict::Certified | Verdict::Defined)
+        matches!(
+            self.verdict,
+            Verdict::Proved | Verdict::Certified | Verdict::Defined
+        )
     }
 }
 
@@ -98,10 +130,19 @@ pub fn holds_at(
     budget: &Budget,
     settings: &Settings,
 ) -> Option<bool> {
-    let context = Context { point, draws: &proposition.draws, budget };
+    let context = Context {
+        point,
+        draws: &proposition.draws,
+        budget,
+    };
     let mut held = None;
     for part in parts(&proposition.statement) {
-        if let Part::Relation { left, relation, right } = part {
+        if let Part::Relation {
+            left,
+            relation,
+            right,
+        } = part
+        {
             match relate(left, relation, right, &context, settings.digits) {
                 AtPoint::Fails { .. } => return Some(false),
                 AtPoint::Holds { .. } => held = Some(true),
@@ -130,20 +171,40 @@ fn points(proposition: &Proposition, budget: &Budget, settings: &Settings) -> Ve
 fn parts(statement: &Statement) -> Vec<Part<'_>> {
     match statement {
         Statement::All(all) => all.iter().flat_map(parts).collect(),
-        Statement::Chain { first, links, regime } => {
+        Statement::Chain {
+            first,
+            links,
+            regime,
+        } => {
             let lefts = std::iter::once(first).chain(links.iter().map(|(_, right)| right));
             lefts
                 .zip(links)
                 .map(|(left, (relation, right))| match regime {
-                    Some(regime) if is_expansion(*relation, right) => {
-                        Part::Expansion { left, relation: *relation, right, regime }
-                    }
-                    _ => Part::Relation { left, relation: *relation, right },
+                    Some(regime) if is_expansion(*relation, right) => Part::Expansion {
+                        left,
+                        relation: *relation,
+                        right,
+                        regime,
+                    },
+                    _ => Part::Relation {
+                        left,
+                        relation: *relation,
+                        right,
+                    },
                 })
                 .collect()
         }
-        Statement::Definition { arguments, body, duties, .. } => {
-            vec![Part::Definition { arguments, body, duties }]
+        Statement::Definition {
+            arguments,
+            body,
+            duties,
+            ..
+        } => {
+            vec![Part::Definition {
+                arguments,
+                body,
+                duties,
+            }]
         }
         Statement::Conditional { .. } => vec![Part::Unresolved],
         Statement::Words | Statement::Empty => vec![Part::Noted],
@@ -205,25 +266,48 @@ fn judge_part(
     settings: &Settings,
 ) -> Finding {
     match part {
-        Part::Relation { left, relation, right } => {
+        Part::Relation {
+            left,
+            relation,
+            right,
+        } => {
             if left == right && *relation == Relation::Equal {
                 return Finding::because(
                     Verdict::Vacuous,
                     "both sides are the same formula once definitions are unfolded",
                 );
             }
-            let search = Search { proposition, points, number, budget, settings };
+            let search = Search {
+                proposition,
+                points,
+                number,
+                budget,
+                settings,
+            };
             search.relation(left, *relation, right)
         }
-        Part::Expansion { left, relation, right, regime } => {
-            match judge_expansion(left, *relation, right, regime, proposition, budget) {
-                Ok(verdict) => expansion_finding(verdict),
-                Err(reason) => Finding::because(Verdict::Undecided, reason.to_string()),
-            }
-        }
-        Part::Definition { arguments, body, duties } => {
-            judge_duties(arguments, body, duties, proposition, number, budget, settings)
-        }
+        Part::Expansion {
+            left,
+            relation,
+            right,
+            regime,
+        } => match judge_expansion(left, *relation, right, regime, proposition, budget) {
+            Ok(verdict) => expansion_finding(verdict),
+            Err(reason) => Finding::because(Verdict::Undecided, reason.to_string()),
+        },
+        Part::Definition {
+            arguments,
+            body,
+            duties,
+        } => judge_duties(
+            arguments,
+            body,
+            duties,
+            proposition,
+            number,
+            budget,
+            settings,
+        ),
         Part::Noted => Finding::plain(Verdict::Noted),
         Part::Unresolved => Finding::because(Verdict::Undecided, "the claim it names is not here"),
     }
@@ -231,14 +315,37 @@ fn judge_part(
 
 fn expansion_finding(verdict: ExpansionVerdict) -> Finding {
     match verdict {
-        ExpansionVerdict::Holds { further, .. } => {
-            Finding { series: Some(further), ..Finding::plain(Verdict::Certified) }
+        ExpansionVerdict::Holds { further, remainder } => {
+            let series = match further {
+                Some(further) => format!("{further}; remainder of the print: {remainder}"),
+                None => format!("remainder of the print: {remainder}"),
+            };
+            Finding {
+                series: Some(series),
+                ..Finding::plain(Verdict::Certified)
+            }
         }
-        ExpansionVerdict::Fails { claimed, found, point, .. } => Finding {
-            witness: Some(Evidence::Series { point, claimed, found }),
-            ..Finding::plain(Verdict::Refuted)
-        },
-        ExpansionVerdict::Vacuous(why) => Finding::because(Verdict::Vacuous, why),
+        ExpansionVerdict::Fails {
+            term,
+            order,
+            claimed,
+            point,
+            path,
+        } => {
+            let along = path
+                .map(|path| format!(" along {path}"))
+                .unwrap_or_default();
+            let found = format!("{term}, of order {order}{along}");
+            Finding {
+                witness: Some(Evidence::Series {
+                    point,
+                    claimed: format!("O({claimed})"),
+                    found,
+                }),
+                ..Finding::plain(Verdict::Refuted)
+            }
+        }
+        ExpansionVerdict::Vacuous { why } => Finding::because(Verdict::Vacuous, why),
     }
 }
 
@@ -261,15 +368,25 @@ impl Search<'_> {
         }
         let mut tally = Tally::default();
         for point in self.points {
-            let context =
-                Context { point, draws: &self.proposition.draws, budget: self.budget };
-            tally.add(point, relate(left, relation, right, &context, self.settings.digits));
+            let context = Context {
+                point,
+                draws: &self.proposition.draws,
+                budget: self.budget,
+            };
+            tally.add(
+                point,
+                relate(left, relation, right, &context, self.settings.digits),
+            );
             if tally.two_valued.len() >= KERNEL_TRIES {
                 break;
             }
         }
         let candidates = tally.candidates();
-        if candidates.is_empty() { self.held(tally) } else { self.refute(&candidates) }
+        if candidates.is_empty() {
+            self.held(tally)
+        } else {
+            self.refute(&candidates)
+        }
     }
 
     /// No point failed.
@@ -283,9 +400,15 @@ impl Search<'_> {
         let mut finding = if tally.held > unknown {
             Finding::plain(Verdict::Certified)
         } else if let Some(why) = tally.unknown.first() {
-            Finding::because(Verdict::Undecided, format!("{unknown} points undecided: {why}"))
+            Finding::because(
+                Verdict::Undecided,
+                format!("{unknown} points undecided: {why}"),
+            )
         } else {
-            Finding::because(Verdict::Undecided, "neither side has a value at any point tried")
+            Finding::because(
+                Verdict::Undecided,
+                "neither side has a value at any point tried",
+            )
         };
         finding.extent = extent;
         finding
@@ -295,11 +418,17 @@ impl Search<'_> {
     fn refute(&self, candidates: &[&Point]) -> Finding {
         let mut reason = String::new();
         for point in candidates {
-            let witness = Witness { point: (*point).clone(), link: self.number };
+            let witness = Witness {
+                point: (*point).clone(),
+                link: self.number,
+            };
             match kernel::check_witness(self.proposition, &witness) {
                 Ok(refutation) => {
                     return Finding {
-                        witness: Some(Evidence::Checked { witness, refutation }),
+                        witness: Some(Evidence::Checked {
+                            witness,
+                            refutation,
+                        }),
                         ..Finding::plain(Verdict::Refuted)
                     };
                 }
@@ -361,10 +490,18 @@ fn judge_duties(
     let mut finding = Finding::plain(Verdict::Defined);
     for (index, duty) in duties.iter().enumerate() {
         for (duty_proposition, relation) in duty_relations(arguments, body, duty, proposition) {
-            let Statement::Chain { first, links, .. } = &duty_proposition.statement else { continue };
+            let Statement::Chain { first, links, .. } = &duty_proposition.statement else {
+                continue;
+            };
             let points = points(&duty_proposition, budget, settings);
             // The kernel checks the duty on the definition itself; the relation only finds the point.
-            let search = Search { proposition, points: &points, number: number + index, budget, settings };
+            let search = Search {
+                proposition,
+                points: &points,
+                number: number + index,
+                budget,
+                settings,
+            };
             let found = search.relation(first, relation, &links[0].1);
             match found.verdict {
                 Verdict::Certified => finding.extent = found.extent,
@@ -382,13 +519,20 @@ fn duty_relations(
     duty: &Duty,
     proposition: &Proposition,
 ) -> Vec<(Proposition, Relation)> {
-    let Some(argument) = arguments.first() else { return Vec::new() };
-    let relation = |first: Formula, relation: Relation, right: Formula, over: bool, range: (&Formula, &Formula)| {
+    let Some(argument) = arguments.first() else {
+        return Vec::new();
+    };
+    let relation = |first: Formula,
+                    relation: Relation,
+                    right: Formula,
+                    over: bool,
+                    range: (&Formula, &Formula)| {
         let mut duty_proposition = proposition.clone();
         if over {
-            duty_proposition
-                .parameters
-                .push(Parameter { name: argument.clone(), kind: ParameterKind::Real });
+            duty_proposition.parameters.push(Parameter {
+                name: argument.clone(),
+                kind: ParameterKind::Real,
+            });
             duty_proposition.domain.push(Condition::Chain(
                 range.0.clone(),
                 vec![
@@ -397,11 +541,19 @@ fn duty_relations(
                 ],
             ));
         }
-        duty_proposition.statement =
-            Statement::Chain { first, links: vec![(relation, right)], regime: None };
+        duty_proposition.statement = Statement::Chain {
+            first,
+            links: vec![(relation, right)],
+            regime: None,
+        };
         (duty_proposition, relation)
     };
-    let at = |place: &Formula| Formula::At(Box::new(body.clone()), vec![(argument.clone(), place.clone())]);
+    let at = |place: &Formula| {
+        Formula::At(
+            Box::new(body.clone()),
+            vec![(argument.clone(), place.clone())],
+        )
+    };
     match duty {
         Duty::Density(from, to) => {
             let total = Formula::Ranged(Box::new(Ranged {
@@ -412,8 +564,20 @@ fn duty_relations(
                 to: to.clone(),
             }));
             vec![
-                relation(total, Relation::Equal, Formula::integer(1), false, (from, to)),
-                relation(body.clone(), Relation::GreaterEqual, Formula::integer(0), true, (from, to)),
+                relation(
+                    total,
+                    Relation::Equal,
+                    Formula::integer(1),
+                    false,
+                    (from, to),
+                ),
+                relation(
+                    body.clone(),
+                    Relation::GreaterEqual,
+                    Formula::integer(0),
+                    true,
+                    (from, to),
+                ),
             ]
         }
         Duty::Cumulative(from, to) => {
@@ -423,9 +587,27 @@ fn duty_relations(
                 Box::new(Formula::integer(1)),
             );
             vec![
-                relation(at(from), Relation::Equal, Formula::integer(0), false, (from, to)),
-                relation(at(to), Relation::Equal, Formula::integer(1), false, (from, to)),
-                relation(slope, Relation::GreaterEqual, Formula::integer(0), true, (from, to)),
+                relation(
+                    at(from),
+                    Relation::Equal,
+                    Formula::integer(0),
+                    false,
+                    (from, to),
+                ),
+                relation(
+                    at(to),
+                    Relation::Equal,
+                    Formula::integer(1),
+                    false,
+                    (from, to),
+                ),
+                relation(
+                    slope,
+                    Relation::GreaterEqual,
+                    Formula::integer(0),
+                    true,
+                    (from, to),
+                ),
             ]
         }
         // The book unfolds `agrees ID` to an equation between the two bodies.

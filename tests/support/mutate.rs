@@ -7,7 +7,11 @@ use num_traits::One;
 /// a constant. Order terms are left alone (a coarser order is true), and so are limits' targets.
 pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
     match statement {
-        Statement::Chain { first, links, regime } => {
+        Statement::Chain {
+            first,
+            links,
+            regime,
+        } => {
             let mut all = Vec::new();
             for edited in edits(first, integers) {
                 all.push(Statement::Chain {
@@ -122,9 +126,9 @@ fn children(formula: &Formula) -> Vec<&Formula> {
         Formula::Binary(_, a, b) => vec![a, b],
         Formula::Ranged(ranged) => vec![&ranged.body, &ranged.from, &ranged.to],
         Formula::Indicator(condition) => match &**condition {
-            Condition::Chain(first, links) => {
-                std::iter::once(first).chain(links.iter().map(|(_, right)| right)).collect()
-            }
+            Condition::Chain(first, links) => std::iter::once(first)
+                .chain(links.iter().map(|(_, right)| right))
+                .collect(),
             _ => Vec::new(),
         },
         Formula::Density(_, at) => vec![at],
