@@ -154,13 +154,19 @@ pub fn beta(a: &Interval, b: &Interval, precision: u32) -> Result<Interval, Doma
     gamma_quotient(&[a, b], &[sum], precision)
 }
 
-/// Bits that hold sums of a few of the points exactly, as far as that is reasonable.
+/// At least `precision` bits, enough to hold sums of a few of the points among the values exactly,
+/// as far as that is reasonable.
 pub(super) fn exact_precision(values: &[&Interval], precision: u32) -> u32 {
-    let exponents = values.iter().filter_map(|x| x.low().get_exp());
-    let (least, most) = exponents.fold((0, 0), |(l, m), e| (e.min(l), e.max(m)));
-    let bits = values.iter().map(|x| x.precision()).max().unwrap_or(0);
-    let span = (most.min(MAX_EXPONENT) - least.max(-MAX_EXPONENT)).unsigned_abs();
-    precision.max(bits).saturating_add(span + 8)
+    let points = values.iter().filter(|x| x.is_point()).map(|x| x.low());
+    let (least, most) = points.fold((0, 0), |(least, most), x| {
+        let top = x.get_exp().unwrap_or(0);
+        let significand = x.get_significand();
+        let last = significand.map_or(0, |s| s.significant_bits() - s.find_one(0).unwrap_or(0));
+        let bottom = top.saturating_sub_unsigned(last);
+        (bottom.min(least), top.max(most))
+    });
+    let span = most.min(MAX_EXPONENT) - least.max(-MAX_EXPONENT);
+    precision.max(span.unsigned_abs() + 8)
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ fn may_be_pole(x: &Interval) -> bool {
             .may_hold_integer()
 }
 
-/// All intervals with ends of at least `precision` bits: a point stays the same point.
+/// All intervals with ends of `precision` bits, rounded outwards; a point that fits stays the same.
 fn widen<const N: usize>(values: [&Interval; N], precision: u32) -> [Interval; N] {
-    values.map(|x| x.with_precision(precision.max(x.precision())))
+    values.map(|x| x.with_precision(precision))
 }

@@ -87,6 +87,13 @@ impl Interval {
 
     /// All x * y.
     pub fn mul(&self, other: &Interval) -> Interval {
+        // Two products of ends instead of eight, where the signs are known.
+        if self.low < 0 && self.high <= 0 {
+            return self.neg().mul(other).neg();
+        }
+        if other.low < 0 && other.high <= 0 {
+            return self.mul(&other.neg()).neg();
+        }
         if self.low >= 0 && other.low >= 0 {
             let precision = self.precision().max(other.precision());
             return Interval::new(
@@ -102,7 +109,17 @@ impl Interval {
     /// # Errors
     /// `Certain` where y is 0, `Possible` where it may be.
     pub fn div(&self, other: &Interval) -> Result<Interval, DomainError> {
-        if !other.contains_zero() {
+        if other.high < 0 {
+            return Ok(self.div(&other.neg())?.neg());
+        }
+        if other.low > 0 && self.low >= 0 {
+            let precision = self.precision().max(other.precision());
+            return Ok(Interval::new(
+                end_quotient(&self.low, &other.high, precision, Round::Down),
+                end_quotient(&self.high, &other.low, precision, Round::Up),
+            ));
+        }
+        if other.low > 0 {
             return Ok(hull_of_corners(self, other, end_quotient));
         }
         Err(if other.is_point() {

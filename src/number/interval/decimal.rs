@@ -13,6 +13,9 @@ const PLAIN_EXPONENT: i64 = 21;
 /// A number below ten to minus this is printed with an exponent.
 const PLAIN_ZEROS: i64 = 6;
 
+/// No number is printed with more digits.
+const MAX_DIGITS: usize = 1 << 22;
+
 /// Digits of an end in the text of an interval without a common digit.
 const END_DIGITS: usize = 5;
 
@@ -90,7 +93,7 @@ impl Interval {
         if !self.is_bounded() || self.contains_zero() {
             return self.ends_text();
         }
-        let mut count = digits.clamp(1, 1 + self.common_digits());
+        let mut count = digits.clamp(1, self.common_digits().min(MAX_DIGITS));
         loop {
             let low = rounded(&self.low, count, Round::Nearest);
             let high = rounded(&self.high, count, Round::Nearest);
@@ -110,7 +113,7 @@ impl Interval {
     fn common_digits(&self) -> usize {
         let width = self.width();
         let (Some(wide), Some(size)) = (width.get_exp(), self.low.get_exp()) else {
-            return usize::MAX - 1;
+            return MAX_DIGITS;
         };
         let bits = i64::from(size) - i64::from(wide) + 4;
         (bits.max(0) as usize) * 302 / 1000 + 2

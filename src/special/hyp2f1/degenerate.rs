@@ -22,6 +22,9 @@ use super::{Parameters, gamma_quotient, nonpositive_integer};
 use crate::number::{DomainError, Interval};
 use rug::{Float, Integer};
 
+/// psi of an integer up to this is a sum of fractions.
+const MAX_HARMONIC: u32 = 1 << 10;
+
 /// F(a, b; c; 1 - rest), for c - a - b an integer.
 ///
 /// # Errors
@@ -58,7 +61,7 @@ fn logarithmic(p: &Parameters, u: &Interval, m: u32) -> Result<Interval, DomainE
     let one = Interval::from_i64(1, p.precision());
     let upper = shift.add(&one);
     let scale = gamma_quotient(
-        &[p.c.clone()],
+        std::slice::from_ref(&p.c),
         &[p.a.clone(), p.b.clone(), upper.clone()],
         p.precision(),
     )?;
@@ -87,11 +90,7 @@ fn logarithmic_sum(p: &Parameters, u: &Interval) -> Result<Interval, DomainError
     let one = Interval::from_i64(1, precision);
     let ratio = Ratio::new(p);
     let logarithm = u.ln()?;
-    let mut bracket = logarithm
-        .sub(&one.digamma()?)
-        .sub(&p.c.digamma()?)
-        .add(&p.a.digamma()?)
-        .add(&p.b.digamma()?);
+    let mut bracket = logarithm.add(&digamma_sum(p)?);
     let mut term = one.clone();
     let mut sum = Interval::from_i64(0, precision);
     for k in 0..max_terms(precision) / 4 {
@@ -110,6 +109,31 @@ fn logarithmic_sum(p: &Parameters, u: &Interval) -> Result<Interval, DomainError
         term = ratio.times(&term, k)?.mul(u);
     }
     Err(DomainError::Possible)
+}
+
+/// psi(a) + psi(b) - psi(c) - psi(1). For small integers Euler's constant drops out of it, since
+/// psi(n) = H_{n-1} - gamma with the harmonic numbers H (DLMF 5.4.14).
+fn digamma_sum(p: &Parameters) -> Result<Interval, DomainError> {
+    let harmonic = |x: &Interval| {
+        let n = x
+            .as_integer()?
+            .to_u32()
+            .filter(|n| (1..=MAX_HARMONIC).contains(n))?;
+        let one = Interval::from_i64(1, x.precision());
+        let term = |k: u32| one.div_integer(&Integer::from(k)).ok();
+        (1..n).try_fold(Interval::from_i64(0, x.precision()), |sum, k| {
+            Some(sum.add(&term(k)?))
+        })
+    };
+    if let (Some(a), Some(b), Some(c)) = (harmonic(&p.a), harmonic(&p.b), harmonic(&p.c)) {
+        return Ok(a.add(&b).sub(&c));
+    }
+    let at_one = Interval::from_i64(1, p.precision()).digamma()?;
+    Ok(p.a
+        .digamma()?
+        .add(&p.b.digamma()?)
+        .sub(&p.c.digamma()?)
+        .sub(&at_one))
 }
 
 /// The bound of the header's theorem, N = `from`; `None` where its conditions are not proved.

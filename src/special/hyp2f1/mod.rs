@@ -32,8 +32,9 @@ const DOUBLINGS: u32 = 4;
 /// Bits of the arguments' own accuracy that a result is allowed to lose before it is repeated.
 const LOSS: i64 = 16;
 
-/// From this c - a - b on, the plain series is tried before the connection to 1 - z.
-const LARGE_EXCESS: u32 = 32;
+/// Where (|a| + |b| + |c|)(1-z) is larger, the terms of the connection to 1 - z grow to about
+/// e to this power before they fall, and the plain series is tried first.
+const LARGE: u32 = 64;
 
 /// A repetition that gains fewer bits than this is the last.
 const WORTHWHILE: i64 = 8;
@@ -62,6 +63,12 @@ impl Parameters {
             (Some(m), Some(n)) => Some(m.min(n)),
             (one, other) => one.or(other),
         }
+    }
+
+    /// Whether a wide parameter may end the series, at a degree that cannot be told.
+    fn may_end_unseen(&self) -> bool {
+        let unseen = |x| may_be_pole(x) && nonpositive_integer(x).is_none();
+        unseen(&self.a) || unseen(&self.b)
     }
 
     /// Whether the series may end.
@@ -122,7 +129,7 @@ pub fn hyp2f1_regularized(
     let working = exact_precision(&[a, b, c], precision) + GUARD;
     let [a, b, c, z] = widen([a, b, c, z], working);
     let Some(n) = nonpositive_integer(&c) else {
-        let scale = gamma_quotient(&[], &[c.clone()], working)?;
+        let scale = gamma_quotient(&[], std::slice::from_ref(&c), working)?;
         let value = hyp2f1(&a, &b, &c, &z, working)?.mul(&scale);
         return Ok(value.with_precision(precision));
     };
@@ -160,9 +167,8 @@ fn attempt(p: &Parameters, z: &Interval) -> Result<Interval, DomainError> {
     if let Some(m) = nonpositive_integer(&p.c) {
         return match p.degree() {
             Some(n) if n <= m => series::polynomial(p, z, &n),
-            Some(_) => Err(DomainError::Certain),
-            None if p.may_terminate() => Err(DomainError::Possible),
-            None => Err(DomainError::Certain),
+            _ if p.may_end_unseen() => Err(DomainError::Possible),
+            _ => Err(DomainError::Certain),
         };
     }
     if may_be_pole(&p.c) {
@@ -221,8 +227,8 @@ fn right_of_zero(p: &Parameters, z: &Interval, rest: &Interval) -> Result<Interv
     if *z.high() <= 0.75 {
         return series::infinite(p, z);
     }
-    // A large c - a - b makes the first terms fall fast, and the connection cancel.
-    if *p.excess().low() > LARGE_EXCESS
+    let size = p.a.abs().add(&p.b.abs()).add(&p.c.abs());
+    if *size.mul(rest).high() > LARGE
         && let Ok(value) = series::infinite(p, z)
     {
         return Ok(value);

@@ -17,7 +17,7 @@ use rug::{Float, Integer};
 use std::cmp::Ordering;
 
 /// Terms times machine words of a number (and some for the overhead): about a second's work.
-const MAX_WORK: u32 = 1 << 22;
+const MAX_WORK: u32 = 1 << 21;
 
 /// Numbers of terms that the cap of work allows.
 pub(super) fn max_terms(precision: u32) -> u32 {
@@ -102,6 +102,41 @@ pub(super) fn with_tail(sum: &Interval, tail: &Float) -> Interval {
     sum.add(&size.neg().hull(&size))
 }
 
+/// Watches how fast the terms fall, so that a series that cannot end within the cap of work is given
+/// up early. A guess that costs an answer at most, never its truth.
+struct Pace {
+    max_terms: u32,
+    next: u32,
+    exponent: i64,
+}
+
+impl Pace {
+    fn new(max_terms: u32) -> Pace {
+        Pace {
+            max_terms,
+            next: 1 << 10,
+            exponent: 0,
+        }
+    }
+
+    /// Asked at n = 2^10, 2^11, ...: whether the terms, at four times the pace of the last half,
+    /// would still be too large at the cap.
+    fn is_hopeless(&mut self, n: u32, term: &Interval, sum: &Interval) -> bool {
+        if n != self.next {
+            return false;
+        }
+        let exponent = |x: &Float| x.get_exp().map_or(0, i64::from);
+        let now = exponent(term.abs().high());
+        let gained = self.exponent - now;
+        let needed = now - exponent(sum.abs().high()) + i64::from(sum.precision());
+        let halves = i64::from((self.max_terms - n) / (n / 2));
+        self.next = n.saturating_mul(2);
+        self.exponent = now;
+        // Terms that still grow may fall fast later.
+        gained >= 0 && needed > gained.saturating_mul(halves).saturating_mul(4)
+    }
+}
+
 /// The sum for |z| < 1 and c no pole.
 ///
 /// # Errors
@@ -113,7 +148,11 @@ pub(super) fn infinite(p: &Parameters, z: &Interval) -> Result<Interval, DomainE
     let ratio = Ratio::new(p);
     let mut term = Interval::from_i64(1, p.precision());
     let mut sum = Interval::from_i64(0, p.precision());
+    let mut pace = Pace::new(max_terms(p.precision()));
     for n in 0..max_terms(p.precision()) {
+        if pace.is_hopeless(n, &term, &sum) {
+            break;
+        }
         // The bound is dear: it is asked for where the term itself is small.
         if n > 0 && negligible(term.abs().high(), &sum) {
             let tail = ratio.bound(n).and_then(|r| geometric_tail(&term, &r, z));
