@@ -7,6 +7,7 @@
 
 #[path = "support/mutate.rs"]
 mod mutate;
+#![cfg(feature = "engine")]
 
 use claimcheck::book::{Book, Claim, read};
 use claimcheck::formula::{Name, ParameterKind};
