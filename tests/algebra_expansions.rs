@@ -1,4 +1,5 @@
 //! The expansions of the thesis's second chapter, and altered ones that must fail.
+#![cfg(feature = "engine")]
 
 use claimcheck::formula::{
     Budget, Formula, Proposition, Regime, Relation, Statement, parse_proposition,

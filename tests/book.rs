@@ -1,14 +1,16 @@
 //! The book itself: every claim has the verdict that it pins, and every number of chapter 2 has a claim.
+#![cfg(feature = "engine")]
 
 use claimcheck::book::read;
-use claimcheck::corpus;
+use claimcheck::corpus::{self, Options};
 use claimcheck::judge::{Settings, Verdict};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 fn reports() -> Vec<claimcheck::judge::Report> {
     let book = read(&[PathBuf::from("proofs")]).unwrap_or_else(|errors| panic!("{errors:?}"));
-    corpus::run(&book, &Settings::default(), None, |_| {}).reports
+    let run = corpus::run(&book, &Settings::default(), &Options::default(), |_| ());
+    run.expect("no internal fault").reports
 }
 
 #[test]

@@ -34,7 +34,7 @@ given  int k with k >= 1
 says   k/(k-1) == 1 + 1/(k-1) - 1/k
 mend   k/(k-1) == 1 + 1/(k-1)
 needs  k >= 2
-expect printed refuted statement, mended proved
+expect printed refuted statement, mended certified
 ```
 ";
 

@@ -4,6 +4,7 @@
 //! point (another seed, ten times the points) are set apart as equivalent. At least 95% of those that count must be refuted by the judge in its everyday settings.
 //!
 //! `CLAIMCHECK_MUTANTS=1` tries every mutant; without it every 17th, which takes seconds.
+#![cfg(feature = "engine")]
 
 #[path = "support/mutate.rs"]
 mod mutate;

@@ -2,6 +2,7 @@
 //! error with a place, within the budget.
 //!
 //! `CLAIMCHECK_FUZZ=10000` tries so many files; without it, a few hundred.
+#![cfg(feature = "engine")]
 
 use claimcheck::book::read_text;
 use claimcheck::judge::{Settings, judge};

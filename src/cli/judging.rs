@@ -2,9 +2,8 @@
 
 use super::library::open;
 use super::output::{Exit, Failure};
-use crate::book::{Book, Claim};
 use crate::corpus::{self, Options, Run};
-use crate::judge::{self, Settings};
+use crate::judge::Settings;
 use crate::report::diagnostic;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -52,21 +51,10 @@ impl Judging {
         };
         let count = corpus::chosen(&book, &options.only).map_err(failure)?.len();
         let bar = Bar::new(count, self.quiet);
-        let judge = |claim: &Claim| judge::judge(claim, previous(&book, claim), &settings);
-        let reports = corpus::run(&book, &options, judge, |done| bar.show(done));
+        let run = corpus::run(&book, &settings, &options, |done| bar.show(done));
         bar.bar.finish_and_clear();
-        Ok(Run {
-            reports: reports.map_err(failure)?,
-            seed: settings.seed,
-            digits: settings.digits,
-        })
+        run.map_err(failure)
     }
-}
-
-/// The claim that this one goes on from.
-fn previous<'a>(book: &'a Book, claim: &Claim) -> Option<&'a Claim> {
-    let id = claim.after.as_ref()?;
-    book.claims.iter().find(|other| other.id == *id)
 }
 
 fn failure(error: corpus::Error) -> Failure {

@@ -5,7 +5,7 @@
 
 use crate::book::{Book, Claim};
 use crate::formula::nearest;
-use crate::judge::Report;
+use crate::judge::{self, Report, Settings};
 use rayon::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -43,20 +43,41 @@ pub enum Error {
     Threads(String),
 }
 
-/// Judges the claims that `options` choose and returns their reports in the order of the book.
+/// Judges the claims that `options` choose; their reports come in the order of the book.
 /// `progress` is told after each claim how many are done, from any thread.
 ///
 /// # Errors
 /// [`Error`]; a claim's own trouble is a verdict in its report, never an error here.
 pub fn run(
     book: &Book,
+    settings: &Settings,
     options: &Options,
+    progress: impl Fn(usize) + Sync,
+) -> Result<Run, Error> {
+    let claims = book.by_id();
+    let judge = |claim: &Claim| {
+        let previous = claim
+            .after
+            .as_ref()
+            .and_then(|id| claims.get(&**id).copied());
+        judge::judge(claim, previous, settings)
+    };
+    Ok(Run {
+        reports: in_parallel(chosen(book, &options.only)?, options.jobs, judge, progress)?,
+        seed: settings.seed,
+        digits: settings.digits,
+    })
+}
+
+/// The reports in the order of the claims, or the error of the first claim that has one.
+fn in_parallel(
+    claims: Vec<&Claim>,
+    jobs: usize,
     judge: impl Fn(&Claim) -> Report + Sync,
     progress: impl Fn(usize) + Sync,
 ) -> Result<Vec<Report>, Error> {
-    let claims = chosen(book, &options.only)?;
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.jobs)
+        .num_threads(jobs)
         .stack_size(STACK_BYTES)
         .build()
         .map_err(|error| Error::Threads(error.to_string()))?;
@@ -71,7 +92,7 @@ pub fn run(
     reports.into_iter().collect()
 }
 
-/// How many claims `only` chooses.
+/// The claims that `only` names, or all where it names none, in the order of the book.
 ///
 /// # Errors
 /// [`Error::UnknownId`]
@@ -108,120 +129,56 @@ fn guarded(claim: &Claim, judge: &impl Fn(&Claim) -> Report) -> Result<Report, E
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::Scope;
-    use crate::formula::Statement;
-    use crate::judge::{Answer, Kind, Verdict};
+    use crate::book::read_text;
 
+    /// Claims 2.0, 2.1, ... with nothing to compute.
     fn book(count: usize) -> Book {
-        let claim = |i: usize| Claim {
-            id: format!("2.{i}").into(),
-            file: "book.md".into(),
-            line: i + 1,
-            scope: Scope::default(),
-            says: Statement::Words,
-            says_text: "words".into(),
-            mend: None,
-            mend_text: None,
-            needs: None,
-            after: None,
-            read: None,
-            slip: None,
-            why: None,
-            expect: None,
-            expect_text: None,
-        };
-        Book {
-            claims: (0..count).map(claim).collect(),
-        }
+        let claim = |i| format!("```claim 2.{i}\nsays words\n```\n");
+        let text: String = (0..count).map(claim).collect();
+        read_text("book.md", &text).expect("a book")
     }
 
-    fn noted(claim: &Claim) -> Report {
-        Report {
-            id: claim.id.to_string(),
-            file: claim.file.display().to_string(),
-            line: claim.line,
-            kind: Kind::Words,
-            printed: Answer {
-                verdict: Verdict::Noted,
-                fault: None,
-                written: String::new(),
-                statement: String::new(),
-                extent: None,
-                reason: None,
-                witness: None,
-                links: Vec::new(),
-                series: None,
-                constants: None,
-                facts: Vec::new(),
-                certificate: None,
-            },
-            mended: None,
-            needs: None,
-            needs_fault: None,
-            sufficient: false,
-            slip: None,
-            why: None,
-            expected: String::new(),
-            as_expected: true,
-            steps: 0,
-            seconds: 0.0,
-        }
-    }
-
-    fn ids(options: &Options) -> Vec<String> {
-        let reports = run(&book(100), options, noted, |_| ()).expect("no fault");
-        reports.into_iter().map(|report| report.id).collect()
+    fn ids(count: usize, only: &[&str], jobs: usize) -> Result<Vec<String>, Error> {
+        let only = only.iter().map(|id| (*id).to_owned()).collect();
+        let options = Options { only, jobs };
+        let run = run(&book(count), &Settings::default(), &options, |_| ())?;
+        Ok(run.reports.into_iter().map(|report| report.id).collect())
     }
 
     #[test]
     fn reports_are_in_book_order_for_any_number_of_threads() {
         let expected: Vec<String> = (0..100).map(|i| format!("2.{i}")).collect();
         for jobs in [0, 1, 2, 7] {
-            let only = Vec::new();
-            assert_eq!(ids(&Options { only, jobs }), expected);
+            assert_eq!(ids(100, &[], jobs), Ok(expected.clone()));
         }
     }
 
     #[test]
     fn only_the_chosen_claims_in_book_order() {
-        let only = vec!["2.17".to_owned(), "2.3".to_owned()];
-        assert_eq!(ids(&Options { only, jobs: 1 }), ["2.3", "2.17"]);
+        let expected = ["2.3", "2.17"].map(str::to_owned).to_vec();
+        assert_eq!(ids(100, &["2.17", "2.3"], 1), Ok(expected));
     }
 
     #[test]
     fn an_unknown_id_names_the_nearest() {
-        let options = Options {
-            only: vec!["2,17".into()],
-            jobs: 1,
+        let unknown = |nearest: Option<&str>| Error::UnknownId {
+            id: "2,17".into(),
+            nearest: nearest.map(str::to_owned),
         };
-        let error = run(&book(30), &options, noted, |_| ()).expect_err("no such claim");
-        let nearest = Some("2.17".to_owned());
-        assert_eq!(
-            error,
-            Error::UnknownId {
-                id: "2,17".into(),
-                nearest
-            }
-        );
-        let empty = run(&book(0), &options, noted, |_| ()).expect_err("no claim at all");
-        assert_eq!(
-            empty,
-            Error::UnknownId {
-                id: "2,17".into(),
-                nearest: None
-            }
-        );
+        assert_eq!(ids(30, &["2,17"], 1), Err(unknown(Some("2.17"))));
+        assert_eq!(ids(0, &["2,17"], 1), Err(unknown(None)));
     }
 
     #[test]
-    fn a_panic_is_an_error_that_names_the_claim() {
+    fn a_panic_is_an_error_that_names_the_first_such_claim() {
+        let book = book(10);
         let faulty = |claim: &Claim| match &*claim.id {
             "2.5" | "2.8" => panic!("broken"),
-            _ => noted(claim),
+            _ => judge::judge(claim, None, &Settings::default()),
         };
-        let error = run(&book(10), &Options::default(), faulty, |_| ()).expect_err("a panic");
+        let error = in_parallel(book.claims.iter().collect(), 2, faulty, |_| ());
         let (id, message) = ("2.5".into(), "broken".into());
-        assert_eq!(error, Error::Internal { id, message });
+        assert_eq!(error.expect_err("a panic"), Error::Internal { id, message });
     }
 
     #[test]
@@ -230,7 +187,8 @@ mod tests {
         let count = |done| {
             most.fetch_max(done, Ordering::Relaxed);
         };
-        run(&book(50), &Options::default(), noted, count).expect("no fault");
+        let run = run(&book(50), &Settings::default(), &Options::default(), count);
+        assert!(run.is_ok());
         assert_eq!(most.into_inner(), 50);
     }
 }
