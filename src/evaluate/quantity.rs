@@ -280,10 +280,15 @@ impl Quantity {
         match self {
             Quantity::Closed(value) => Some(Fraction::constant(value.as_rational()?)),
             Quantity::Open(function) => {
-                let [term] = &function.terms[..] else {
-                    return None;
+                let term = match &function.terms[..] {
+                    [] => return Some(Fraction::constant(Rational::new())),
+                    [term] => term,
+                    _ => return None,
                 };
                 let scale = term.coefficient.as_rational()?;
+                if term.factors.is_empty() {
+                    return Some(Fraction::constant(scale));
+                }
                 let factor = term.factors.get(&symbol)?;
                 (term.factors.len() == 1).then(|| factor.clone().scale(&scale))
             }

@@ -1,7 +1,7 @@
 //! One relation at one point: exactly where both values are exact, else by enclosures.
 
 use crate::evaluate::{self, Context, Failure, Outcome};
-use crate::formula::{Formula, Relation};
+use crate::formula::{Budget, Formula, Relation};
 use crate::number::{Exact, Interval};
 use std::cmp::Ordering;
 
@@ -16,7 +16,13 @@ pub enum AtPoint {
     SetAside,
     /// Nobody can tell, and why.
     Unknown(String),
+    /// The values cost more steps than one point may take.
+    TooCostly,
 }
+
+/// Steps that one point may take: some hundredths of a second, so that a handful of large points
+/// cannot eat the budget of a claim.
+const STEPS_A_POINT: u64 = 20_000;
 
 /// The least working precision in bits, and the greatest as a multiple of what the digits ask for.
 const FIRST_PRECISION: u32 = 64;
@@ -30,19 +36,39 @@ pub fn relate(
     context: &Context,
     digits: u32,
 ) -> AtPoint {
-    match (
-        evaluate::exact(left, context),
-        evaluate::exact(right, context),
-    ) {
-        (Err(Failure::Exhausted), _) | (_, Err(Failure::Exhausted)) => {
-            AtPoint::Unknown("the budget of steps is spent".into())
+    let exact = allowance(context, |context| {
+        let sides = (
+            evaluate::exact(left, context),
+            evaluate::exact(right, context),
+        );
+        match sides {
+            (Err(Failure::Exhausted), _) | (_, Err(Failure::Exhausted)) => AtPoint::TooCostly,
+            (Ok(Outcome::Value(a)), Ok(Outcome::Value(b))) => match compare_exact(&a, &b) {
+                Some(ordering) => settled(relation, ordering, true),
+                None => AtPoint::Unknown("equal or not, the exact values do not tell".into()),
+            },
+            (Ok(a), Ok(b)) => relate_special(&a, relation, &b),
+            (Err(failure), _) | (_, Err(failure)) => AtPoint::Unknown(failure.to_string()),
         }
-        (Ok(Outcome::Value(a)), Ok(Outcome::Value(b))) => match compare_exact(&a, &b) {
-            Some(ordering) => settled(relation, ordering, true),
-            None => relate_enclosed(left, relation, right, context, digits),
-        },
-        (Ok(a), Ok(b)) => relate_special(&a, relation, &b),
-        _ => relate_enclosed(left, relation, right, context, digits),
+    });
+    if !matches!(exact, AtPoint::Unknown(_) | AtPoint::TooCostly) {
+        return exact;
+    }
+    allowance(context, |context| {
+        relate_enclosed(left, relation, right, context, digits)
+    })
+}
+
+/// Tries with the steps that a point may take, and charges what was spent.
+fn allowance(context: &Context, attempt: impl Fn(&Context) -> AtPoint) -> AtPoint {
+    let own = Budget::new(STEPS_A_POINT);
+    let answer = attempt(&Context {
+        budget: &own,
+        ..*context
+    });
+    match context.budget.spend(own.spent()) {
+        Ok(()) => answer,
+        Err(_) => AtPoint::Unknown("the budget of steps is spent".into()),
     }
 }
 
@@ -86,6 +112,9 @@ fn relate_enclosed(
                 }
             }
             (Ok(a), Ok(b)) => return relate_special(&a, relation, &b),
+            (Err(Failure::Exhausted), _) | (_, Err(Failure::Exhausted)) => {
+                return AtPoint::TooCostly;
+            }
             (Err(Failure::Undecided(why)), _) | (_, Err(Failure::Undecided(why))) => reason = why,
             (Err(failure), _) | (_, Err(failure)) => return AtPoint::Unknown(failure.to_string()),
         }

@@ -146,7 +146,7 @@ pub fn holds_at(
             match relate(left, relation, right, &context, settings.digits) {
                 AtPoint::Fails { .. } => return Some(false),
                 AtPoint::Holds { .. } => held = Some(true),
-                AtPoint::SetAside | AtPoint::Unknown(_) => return None,
+                AtPoint::SetAside | AtPoint::Unknown(_) | AtPoint::TooCostly => return None,
             }
         }
     }
@@ -447,6 +447,8 @@ impl Search<'_> {
 struct Tally<'a> {
     held: usize,
     set_aside: usize,
+    /// Points that count neither way: their values would cost too much.
+    too_costly: usize,
     unknown: Vec<String>,
     two_valued: Vec<&'a Point>,
     one_valued: Vec<&'a Point>,
@@ -458,6 +460,7 @@ impl<'a> Tally<'a> {
             AtPoint::Holds { .. } => self.held += 1,
             AtPoint::SetAside => self.set_aside += 1,
             AtPoint::Unknown(why) => self.unknown.push(why),
+            AtPoint::TooCostly => self.too_costly += 1,
             AtPoint::Fails { both_valued: true } => self.two_valued.push(point),
             AtPoint::Fails { both_valued: false } => self.one_valued.push(point),
         }
