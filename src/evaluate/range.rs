@@ -111,6 +111,17 @@ fn integral(ranged: &Ranged, scope: &Scope) -> Evaluation {
             negate(reversed, scope)
         }
         Ordering::Equal => {
+            // A point has no length; the integrand is looked at there only for having a value.
+            let sample = match &from {
+                Bound::Finite(place) => place.as_rational(),
+                _ => None,
+            };
+            let place = Binding::Symbol {
+                symbol,
+                sample,
+                draw: false,
+            };
+            let link = scope.bind(&ranged.name, place);
             let body = value(&ranged.body, &link.scope())?;
             body.finite("an integrand", |_| number(Rational::new()))
         }

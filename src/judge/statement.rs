@@ -252,7 +252,8 @@ fn worse(a: Finding, b: Finding) -> Finding {
     };
     let series = a.series.clone().or_else(|| b.series.clone());
     let mut worst = if rank(&b) > rank(&a) { b } else { a };
-    worst.extent = extent;
+    // A refutation rests on its witness alone, not on the points at which other links hold.
+    worst.extent = extent.filter(|_| worst.verdict != Verdict::Refuted);
     worst.series = series;
     worst
 }

@@ -6,13 +6,15 @@
 use super::functions::{binomial, factorial, integer};
 use super::integrand::{Variable, fraction, over_range};
 use super::integrate::{integral, sign_on};
-use super::interval::{Interval, Value};
+use super::interval::{Interval, Value, integer_power};
 use super::polynomial::Polynomial;
 use super::scope::{Binding, Scope};
 use super::value::value_in;
 use super::{Unknown, unknown};
-use crate::formula::{Condition, Draw, Formula, Law, Name, Operator, RangeKind, Rational};
-use num_traits::{Signed, ToPrimitive};
+use crate::formula::{
+    Condition, Draw, Formula, Function, Law, Name, Operator, RangeKind, Rational,
+};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 
 /// No Beta law or order statistic of a larger sample is expanded.
@@ -159,6 +161,63 @@ fn chance_of_at_least(l: u32, m: u32, bits: u64) -> Result<Polynomial, Unknown> 
     Ok(Polynomial::new(coefficients))
 }
 
+/// The integral of a polynomial between ends that are roots of rationals, where only powers occur
+/// of which the ends are rational: c r between sqrt(p) and sqrt(q) has c (q - p)/2.
+fn total_between_roots(
+    density: &Polynomial,
+    (from, to): (&Formula, &Formula),
+    scope: &Scope,
+) -> Result<Option<Rational>, Unknown> {
+    let mut total = Rational::zero();
+    for (exponent, coefficient) in density.coefficients().iter().enumerate() {
+        if coefficient.is_zero() {
+            continue;
+        }
+        let power = exponent as u32 + 1;
+        let ends = (
+            power_of_root(to, power, scope)?,
+            power_of_root(from, power, scope)?,
+        );
+        let (Some(coefficient), (Some(to), Some(from))) = (coefficient.as_exact(), ends) else {
+            return Ok(None);
+        };
+        total += coefficient * (to - from) / Rational::from_integer(power.into());
+    }
+    Ok(Some(total))
+}
+
+/// The power of a formula as a rational: of `q^(1/n)` with q >= 0 or `sqrt(q)`, n dividing the
+/// exponent, it is a power of q, whether or not the root is rational.
+fn power_of_root(
+    formula: &Formula,
+    exponent: u32,
+    scope: &Scope,
+) -> Result<Option<Rational>, Unknown> {
+    let (radicand, index) = match formula {
+        Formula::Call(Function::Sqrt, arguments) => (&arguments[0], 2),
+        Formula::Binary(Operator::Power, base, root) => match number(root, scope)?.as_ref() {
+            Some(root) => match root.as_exact() {
+                Some(root) if root.numer().is_one() => match root.denom().to_u32() {
+                    Some(index) => (&**base, index),
+                    None => return Ok(None),
+                },
+                _ => return Ok(None),
+            },
+            None => return Ok(None),
+        },
+        other => (other, 1),
+    };
+    let Some(radicand) = number(radicand, scope)? else {
+        return Ok(None);
+    };
+    Ok(match radicand.as_exact() {
+        Some(radicand) if exponent % index == 0 && (index == 1 || !radicand.is_negative()) => {
+            Some(integer_power(radicand, exponent / index))
+        }
+        _ => None,
+    })
+}
+
 /// A law given by its density: a polynomial, proved nonnegative and with integral exactly 1.
 fn density_law(
     argument: &Name,
@@ -167,6 +226,7 @@ fn density_law(
     to: &Formula,
     scope: &Scope,
 ) -> Result<Option<Weight>, Unknown> {
+    let places = (from, to);
     let (Some(from), Some(to)) = (number(from, scope)?, number(to, scope)?) else {
         return unknown("a density on a range without finite ends");
     };
@@ -183,11 +243,19 @@ fn density_law(
     let ordered = from.compare(&to) == Some(Ordering::Less);
     let positive = sign_on(&density, &ends.0, &ends.1, scope.bits)? == Some(Ordering::Greater);
     match density.as_polynomial() {
-        Some(polynomial) if ordered && positive && total == Value::exact(1) => Ok(Some(Weight {
-            density: polynomial.clone(),
-            from,
-            to,
-        })),
+        Some(polynomial)
+            if ordered
+                && positive
+                && (total == Value::exact(1)
+                    || total_between_roots(polynomial, places, scope)?
+                        == Some(Rational::one())) =>
+        {
+            Ok(Some(Weight {
+                density: polynomial.clone(),
+                from,
+                to,
+            }))
+        }
         _ => unknown("a density not proved to be one"),
     }
 }
