@@ -2,9 +2,10 @@
 
 use super::check::unwritable;
 use super::output::{Exit, Failure, to_stdout};
-use crate::evaluate::{self, Context, Outcome};
+use crate::evaluate::{self, Context, Failure as Failed, Outcome};
 use crate::formula::{
-    Budget, Draw, Formula, Name, Part, Point, Substitution, free_names, parse_formula, parse_law,
+    Budget, Draw, Formula, Name, Operator, Part, Point, Substitution, free_names, parse_formula,
+    parse_law,
 };
 use crate::number::convert::from_rug;
 use clap::{Args, ValueEnum};
@@ -27,7 +28,7 @@ pub(super) struct Eval {
         value_parser = clap::value_parser!(u32).range(1..=100_000))]
     digits: u32,
     /// Counted steps that may be spent
-    #[arg(long, value_name = "N", default_value_t = 1_000_000_000)]
+    #[arg(long, value_name = "N", default_value_t = 20_000_000)]
     budget: u64,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -43,8 +44,8 @@ enum Format {
 #[derive(serde::Serialize)]
 struct Answer {
     formula: String,
-    /// The proved digits, `+inf`, `-inf`, or null where there is no value.
-    value: Option<String>,
+    /// The proved digits, `+inf` or `-inf`.
+    value: String,
     /// The closed form.
     exact: Option<String>,
 }
@@ -201,37 +202,72 @@ impl Given {
             draws: &self.draws,
             budget,
         };
-        let exact = match evaluate::exact(&self.formula, &context) {
-            Ok(Outcome::Value(exact)) => Some(exact.to_string()),
-            _ => None,
-        };
+        let exact = evaluate::exact(&self.formula, &context);
         let value = match evaluate::ladder(&self.formula, &context, digits) {
-            Ok(Outcome::Value(interval)) => Some(interval.to_decimal(digits as usize)),
-            Ok(Outcome::PlusInfinity) => Some("+inf".to_owned()),
-            Ok(Outcome::MinusInfinity) => Some("-inf".to_owned()),
-            Ok(Outcome::Undefined) => None,
-            Err(failure) => return Err(untold(&failure.to_string())),
+            Ok(Outcome::Value(interval)) => interval.to_decimal(digits as usize),
+            Ok(Outcome::PlusInfinity) => "+inf".to_owned(),
+            Ok(Outcome::MinusInfinity) => "-inf".to_owned(),
+            Ok(Outcome::Undefined) => return Err(no_value(&self.formula, &context)),
+            // The exact way knows better what is wrong with a number that is too large.
+            Err(failure) => match exact {
+                Err(too_large @ Failed::TooLarge(_)) => return Err(untold(&too_large)),
+                _ => return Err(untold(&failure)),
+            },
         };
         Ok(Answer {
             formula: self.formula.to_string(),
             value,
-            exact,
+            exact: match exact {
+                Ok(Outcome::Value(exact)) => Some(exact.to_string()),
+                _ => None,
+            },
         })
     }
 }
 
+/// The formula has no value, and the part of it that is to blame.
+fn no_value(formula: &Formula, context: &Context) -> Failure {
+    let part = culprit(formula, context);
+    let reason = match part {
+        Formula::Binary(Operator::Divide, _, divisor) => {
+            format!("the divisor `{divisor}` is 0")
+        }
+        Formula::Call(function, _) => format!("it is no place where {} has one", function.name()),
+        Formula::Binary(Operator::Power, ..) => "no such power is a real number".to_owned(),
+        Formula::Factorial(_) => "no such factorial exists".to_owned(),
+        _ => "the language gives it none".to_owned(),
+    };
+    Failure::input(&format!("`{part}` has no value: {reason}"), None)
+}
+
+/// The innermost part that has no value although all its own parts have one.
+fn culprit<'a>(formula: &'a Formula, context: &Context) -> &'a Formula {
+    let mut inner = None;
+    Part::Formula(formula).each(&mut |part, bound| {
+        if let (None, Part::Formula(part), []) = (inner, part, bound)
+            && matches!(evaluate::exact(part, context), Ok(Outcome::Undefined))
+        {
+            inner = Some(part);
+        }
+    });
+    inner.map_or(formula, |part| culprit(part, context))
+}
+
 /// The value cannot be told: no error of the user's, no fault of the program.
-fn untold(reason: &str) -> Failure {
+fn untold(reason: &Failed) -> Failure {
     Failure {
         exit: Exit::NotAsExpected,
         ..Failure::input(&format!("the value cannot be told: {reason}"), None)
     }
 }
 
+/// A closed form longer than a line tells a reader nothing; `--format json` has it.
+const WIDTH: usize = 98;
+
 fn human(answer: &Answer) -> String {
-    let value = answer.value.as_deref().unwrap_or("no value");
+    let value = &answer.value;
     match &answer.exact {
-        Some(exact) if exact != value => format!("{value}\n= {exact}\n"),
+        Some(exact) if exact != value && exact.len() <= WIDTH => format!("{value}\n= {exact}\n"),
         _ => format!("{value}\n"),
     }
 }

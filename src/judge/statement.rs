@@ -340,7 +340,7 @@ fn expansion_finding(verdict: ExpansionVerdict) -> Finding {
             Finding {
                 witness: Some(Evidence::Series {
                     point,
-                    claimed: format!("O({claimed})"),
+                    claimed,
                     found,
                 }),
                 ..Finding::plain(Verdict::Refuted)

@@ -63,18 +63,23 @@ fn word(answer: Option<&Answer>) -> String {
     )
 }
 
-/// Points, points set aside and digits of the certified verdicts, `/` between two.
+/// Points, points set aside and digits of the certified verdicts, `/` between two. An expansion is
+/// certified by its exact series, not at points.
 fn extents(report: &Report) -> [String; 3] {
     let answers = [Some(&report.printed), report.mended.as_ref()];
     let certified = answers
         .into_iter()
         .flatten()
         .filter(|a| a.verdict == Verdict::Certified);
-    let extents: Vec<Extent> = certified.filter_map(|answer| answer.extent).collect();
+    let extents: Vec<Extent> = certified.clone().filter_map(|answer| answer.extent).collect();
     let join = |number: &dyn Fn(&Extent) -> String| {
         let numbers: Vec<String> = extents.iter().map(number).collect();
         numbers.join("/")
     };
+    let by_series = |answer: &Answer| answer.series.is_some() && answer.extent.is_none();
+    if extents.is_empty() && certified.clone().any(by_series) {
+        return ["series".to_owned(), String::new(), String::new()];
+    }
     [
         join(&|e| e.points.to_string()),
         join(&|e| e.set_aside.to_string()),
