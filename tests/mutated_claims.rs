@@ -75,7 +75,10 @@ fn blocks() -> Vec<String> {
             } else {
                 ""
             };
-            blocks.push(format!("{uses}```{block}```\n"));
+            // Other claims are not in the file.
+            let alone = |line: &&str| !line.starts_with("after ") && !line.starts_with("same ");
+            let block: Vec<&str> = block.lines().filter(alone).collect();
+            blocks.push(format!("{uses}```{}\n```\n", block.join("\n")));
         }
     }
     blocks

@@ -71,7 +71,10 @@ fn extents(report: &Report) -> [String; 3] {
         .into_iter()
         .flatten()
         .filter(|a| a.verdict == Verdict::Certified);
-    let extents: Vec<Extent> = certified.clone().filter_map(|answer| answer.extent).collect();
+    let extents: Vec<Extent> = certified
+        .clone()
+        .filter_map(|answer| answer.extent)
+        .collect();
     let join = |number: &dyn Fn(&Extent) -> String| {
         let numbers: Vec<String> = extents.iter().map(number).collect();
         numbers.join("/")
