@@ -111,9 +111,7 @@ impl<'a> Expander<'a> {
     pub(super) fn value(&self, formula: &Formula, scope: &Scope) -> Result<Value, Reason> {
         self.budget.spend(1)?;
         match formula {
-            Formula::Number(value) => {
-                Ok(Value::Exact(RationalFunction::constant(to_rug(value))))
-            }
+            Formula::Number(value) => Ok(Value::Exact(RationalFunction::constant(to_rug(value)))),
             Formula::Pi => Ok(Value::Exact(RationalFunction::symbol(&"pi".into()))),
             Formula::Name(name) => Ok(match scope.get(name) {
                 Some(value) => value.clone(),
@@ -236,7 +234,9 @@ impl<'a> Expander<'a> {
             _ => unsupported("a sum over a symbolic range"),
         };
         let (from, to) = (end(&ranged.from)?, end(&ranged.to)?);
-        if from.checked_sub(1).is_none_or(|least| to < least) || to.saturating_sub(from) > MAX_SUMMANDS {
+        if from.checked_sub(1).is_none_or(|least| to < least)
+            || to.saturating_sub(from) > MAX_SUMMANDS
+        {
             return unsupported("this range of a sum");
         }
         let (mut total, mut inner) = (Value::Exact(RationalFunction::zero()), scope.clone());
@@ -530,7 +530,9 @@ impl<'a> Expander<'a> {
     pub(super) fn moves(&self, value: &RationalFunction) -> Result<bool, Reason> {
         let (approach, known) = (self.approach()?, self.logarithms.borrow());
         let symbols = value.symbols();
-        Ok(symbols.iter().any(|symbol| varies(symbol, approach, &known)))
+        Ok(symbols
+            .iter()
+            .any(|symbol| varies(symbol, approach, &known)))
     }
 
     pub(super) fn has_bound(&self, value: &RationalFunction) -> bool {
@@ -694,7 +696,10 @@ fn require_constant(
 ) -> Result<(), Reason> {
     let own = approach.log_symbol();
     let hidden = |symbol: &Symbol| *symbol != own && varies(symbol, approach, logarithms);
-    match series.terms().any(|(_, value)| value.symbols().iter().any(hidden)) {
+    match series
+        .terms()
+        .any(|(_, value)| value.symbols().iter().any(hidden))
+    {
         true => unsupported("a coefficient that changes with the variable"),
         false => Ok(()),
     }

@@ -82,6 +82,15 @@ pub(super) fn judge_joint(case: &Case<'_>, limit: &[Tendency]) -> Result<Expansi
     let [first, second] = &names[..] else {
         return unread();
     };
+    if first == second {
+        return unread();
+    }
+    for (name, other) in [(first, second), (second, first)] {
+        let others = std::slice::from_ref(other);
+        if let Some(why) = case.vacuous(&Approach::Infinity(name.clone()), others)? {
+            return Ok(ExpansionVerdict::Vacuous { why });
+        }
+    }
     let limit = joint_limit(case, first, second, quotient)?;
     judge(case, &limit)
 }
@@ -177,7 +186,7 @@ fn judge(case: &Case<'_>, limit: &Limit) -> Result<ExpansionVerdict, Reason> {
         Err(Reason::Exhausted) => return Err(Reason::Exhausted),
         Err(reason) => reason,
     };
-    for path in limit.paths() {
+    for path in limit.paths(case) {
         match along(case, limit, &exact, &path) {
             Ok(Some(verdict)) => return Ok(verdict),
             Err(Reason::Exhausted) => return Err(Reason::Exhausted),
@@ -272,6 +281,16 @@ impl Limit {
     /// Nothing when the criterion of the file's head is met; else what is not.
     fn holds(&self, case: &Case<'_>, exact: &Exact) -> Result<Option<String>, Reason> {
         let facts = self.facts(&case.facts);
+        // A logarithm of n is no constant coefficient, which is what the criterion would take it for.
+        let hidden = |obligation: &Obligation| {
+            let symbols = obligation.polynomial.symbols();
+            symbols
+                .iter()
+                .any(|symbol| exact.logarithms.contains_key(symbol))
+        };
+        if exact.obligations.iter().any(hidden) {
+            return Ok(Some("logarithms in a joint limit".into()));
+        }
         for obligation in &exact.obligations {
             if !self.shows(&facts, obligation.sign, &obligation.polynomial, case.budget)? {
                 return Ok(Some(format!(
@@ -387,36 +406,70 @@ impl Limit {
         Ok(below.map(|below| (above.0 - below.0, above.1 - below.1)))
     }
 
-    /// Paths on which a failure is sought: k and n as polynomials in k.
-    fn paths(&self) -> Vec<Vec<(Name, Polynomial)>> {
+    /// Paths on which a failure is sought.
+    fn paths(&self, case: &Case<'_>) -> Vec<Path> {
         let k = Polynomial::symbol(&self.base);
-        let power = |exponent| {
-            let monomial = Monomial::power(&self.base, exponent);
+        let power = |name: &Name, exponent| {
+            let monomial = Monomial::power(name, exponent);
             Polynomial::term(monomial, rug::Rational::from(1))
+        };
+        let own = |n: Polynomial| Path {
+            variable: self.base.clone(),
+            values: vec![(self.other.clone(), n)],
+        };
+        let both = |n: u32, k: u32| {
+            let variable = unused(case);
+            let values = [(&self.base, k), (&self.other, n)];
+            let values = values.map(|(name, e)| (name.clone(), power(&variable, e)));
+            Path {
+                variable,
+                values: values.into(),
+            }
         };
         let mut paths = Vec::new();
         if !self.quotient_grows {
             for factor in [1, 2, 3] {
                 let straight = k.scale(&rug::Rational::from(factor));
-                paths.push(vec![(self.other.clone(), straight)]);
+                paths.push(own(straight));
             }
         }
         for exponent in [2, 3, 4, 6] {
-            paths.push(vec![(self.other.clone(), power(exponent))]);
+            paths.push(own(power(&self.base, exponent)));
         }
-        for exponent in [2, 3] {
-            // Other powers of n grow more slowly than n = k^2.
-            let both = [(&self.other, exponent + 1), (&self.base, exponent)];
-            paths.push(both.map(|(name, e)| (name.clone(), power(e))).into());
-        }
+        // n = k^(3/2) and n = k^(4/3).
+        paths.extend([(3, 2), (4, 3)].map(|(n, k)| both(n, k)));
         if !self.quotient {
-            for exponent in [2, 3, 4] {
-                let both = [(&self.other, 1), (&self.base, exponent)];
-                paths.push(both.map(|(name, e)| (name.clone(), power(e))).into());
+            paths.extend([2, 3, 4].map(|exponent| both(1, exponent)));
+            if !self.other_grows {
+                paths.push(Path {
+                    variable: self.base.clone(),
+                    values: Vec::new(),
+                });
             }
         }
         paths
     }
+}
+
+/// Values of k and n as polynomials in one variable that tends to infinity: k itself, or a name of
+/// the path's own.
+struct Path {
+    variable: Name,
+    values: Vec<(Name, Polynomial)>,
+}
+
+/// A name that the proposition does not have.
+fn unused(case: &Case<'_>) -> Name {
+    let taken = |name: &str| {
+        let parameters = case.proposition.parameters.iter().map(|p| &p.name);
+        let draws = case.proposition.draws.iter().map(|draw| &draw.name);
+        parameters.chain(draws).any(|other| **other == *name)
+    };
+    let mut name = "s".to_string();
+    while taken(&name) {
+        name.push('\'');
+    }
+    name.as_str().into()
 }
 
 /// Judges the statement along one path, as a limit of one variable; nothing where it does not fail.
@@ -424,14 +477,14 @@ fn along(
     case: &Case<'_>,
     limit: &Limit,
     exact: &Exact,
-    path: &[(Name, Polynomial)],
+    path: &Path,
 ) -> Result<Option<ExpansionVerdict>, Reason> {
-    let approach = Approach::Infinity(limit.base.clone());
+    let approach = Approach::Infinity(path.variable.clone());
     // The leading coefficients of denominators, which must not vanish at the point either.
     let heads = RefCell::new(Vec::new());
     let leading = |value: &RationalFunction| -> Result<Option<(i64, RationalFunction)>, Reason> {
         let mut value = value.clone();
-        for (name, image) in path {
+        for (name, image) in &path.values {
             value = value.substitute(name, &image.clone().into(), case.budget)?;
         }
         let above = approach.polynomial(value.numerator(), case.budget)?;
@@ -473,17 +526,19 @@ fn along(
     let failure = Failure {
         approach: &approach,
         nonzero,
-        signs: case.signs(&exact.obligations, path)?,
+        signs: case.signs(&exact.obligations, &path.values)?,
         logarithms: &exact.logarithms,
         budget: case.budget,
     };
-    let without = [limit.base.clone(), limit.other.clone()];
+    // n is held fixed where the path does not move it.
+    let mut without = vec![limit.base.clone()];
+    without.extend(path.values.iter().map(|(name, _)| name.clone()));
     let point = failure.find(case.proposition, &case.facts, &without)?;
     Ok(point.map(|point| ExpansionVerdict::Fails {
         term: approach.term_text(&coefficient, exponent),
         order: approach.power_text(exponent),
         claimed: case.claimed(),
         point,
-        path: path_text(path),
+        path: path_text(&path.values),
     }))
 }

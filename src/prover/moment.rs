@@ -97,11 +97,14 @@ impl Expander<'_> {
 
     /// Whether a formula may depend on a draw or a variable of integration.
     fn mentions_draw(&self, body: &Formula, scope: &Scope) -> bool {
-        Part::Formula(body).free_names().iter().any(|name| match scope.get(name) {
-            None => self.is_bound(name),
-            Some(Value::Exact(value) | Value::Root(value, _)) => self.has_bound(value),
-            Some(Value::Expanded(_)) => true,
-        })
+        Part::Formula(body)
+            .free_names()
+            .iter()
+            .any(|name| match scope.get(name) {
+                None => self.is_bound(name),
+                Some(Value::Exact(value) | Value::Root(value, _)) => self.has_bound(value),
+                Some(Value::Expanded(_)) => true,
+            })
     }
 
     fn average(
