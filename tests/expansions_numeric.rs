@@ -9,7 +9,6 @@ use claimcheck::formula::{
     Budget, Formula, Name, Operator, Point, Proposition, Rational, Regime, Relation, Statement,
     Target, parse_formula, parse_proposition,
 };
-use claimcheck::number::convert::from_rug;
 use claimcheck::prover::{ExpansionVerdict, judge_expansion};
 use expansions::{Case, Truth};
 
@@ -123,19 +122,26 @@ impl Read {
 
 fn number(text: &str, point: &Point) -> Rational {
     let formula = parse_formula(text).unwrap_or_else(|e| panic!("{text}: {e}"));
-    let budget = Budget::new(1_000_000);
-    let context = Context {
-        point,
-        draws: &[],
-        budget: &budget,
-    };
-    match enclose(&formula, &context, 4096) {
-        Ok(Outcome::Value(value)) => {
-            let (low, high) = value.ends_as_rationals().expect("bounded");
-            assert_eq!(low, high, "{text} is no exact number");
-            from_rug(&low)
+    arithmetic(&formula, point)
+}
+
+/// Field operations and whole powers of rationals.
+fn arithmetic(formula: &Formula, point: &Point) -> Rational {
+    match formula {
+        Formula::Number(value) => value.clone(),
+        Formula::Name(name) => point.numbers[name].clone(),
+        Formula::Negate(value) => -arithmetic(value, point),
+        Formula::Binary(operator, left, right) => {
+            let (left, right) = (arithmetic(left, point), arithmetic(right, point));
+            match operator {
+                Operator::Add => left + right,
+                Operator::Subtract => left - right,
+                Operator::Multiply => left * right,
+                Operator::Divide => left / right,
+                Operator::Power => left.pow(right.to_string().parse().expect("whole")),
+            }
         }
-        other => panic!("{text} at {point:?}: {other:?}"),
+        other => panic!("{other:?} on a path"),
     }
 }
 

@@ -229,6 +229,7 @@ impl Curve {
                 order,
                 claimed,
                 point,
+                numbers,
                 ..
             } => Ok(ExpansionVerdict::Fails {
                 term,
@@ -236,6 +237,7 @@ impl Curve {
                 claimed,
                 point,
                 path: Some(format!("{variable} written {opposite}")),
+                numbers,
             }),
             _ => Ok(verdict),
         }

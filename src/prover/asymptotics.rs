@@ -9,7 +9,7 @@
 use super::domain::{Facts, Sign};
 use super::expansion::{Expansion, Obligation, expand};
 use super::failure::Failure;
-use super::{Approach, Reason, Side, joint, turn};
+use super::{Approach, Reason, Side, joint, sample, turn};
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{
     Budget, Formula, Name, Operator, Part, Point, Proposition, Regime, Relation, Target, Tendency,
@@ -36,6 +36,8 @@ pub enum ExpansionVerdict {
         point: Point,
         /// How parameters move with the variable, where they do.
         path: Option<String>,
+        /// `|L - S|` over the gauge in numbers, where the evaluator has them.
+        numbers: Option<String>,
     },
     Vacuous {
         why: String,
@@ -381,10 +383,11 @@ impl Case<'_> {
         uniformly: &[Name],
     ) -> Result<(), Reason> {
         for obligation in &expansion.obligations {
+            let symbols = obligation.polynomial.symbols();
             // Where nothing must be uniform, the sign of the leading coefficient is enough.
             if uniformly
                 .iter()
-                .any(|name| obligation.polynomial.contains(name))
+                .any(|name| hides(&symbols, name, &expansion.logarithms))
             {
                 self.show_uniformly(approach, obligation)?;
             } else {
@@ -464,6 +467,7 @@ impl Case<'_> {
                     term: approach.term_text(&coefficient, exponent),
                     order: approach.power_text(exponent),
                     claimed: self.claimed(),
+                    numbers: sample::numbers(self, approach, &point, &path),
                     point,
                     path: path_text(&path),
                 });

@@ -7,7 +7,9 @@
 //!
 //! *Criterion.* A polynomial with a monomial `c k^a t^b` such that every other monomial `k^i t^j` has
 //! `i <= a`, `j <= b` and tends to 0 beside it (`(i, j) != (a, b)` when both grow, `i < a` when t is at
-//! least 1 only) is that monomial times 1 + o(1), uniformly. Let the denominators of D and the gauges
+//! least 1 only) is that monomial times 1 + o(1), uniformly. If others with `i <= a`, `j <= b` do not
+//! tend to 0 beside it but have coefficients of its own sign, the polynomial still lies between two
+//! positive multiples of it, which is all that is used. Let the denominators of D and the gauges
 //! be of this kind. Dividing the numerator of D by the leading monomials leaves monomials
 //! `k^i t^j`, and D is O of the gauge when all have `i <= 0` and `j <= 0`, since then each is bounded;
 //! it is o of it when each tends to 0: `(i, j) != (0, 0)` when both grow, `i < 0` else.
@@ -21,7 +23,7 @@ use super::asymptotics::{Case, ExpansionVerdict, path_text};
 use super::domain::{Facts, Sign};
 use super::expansion::{Expander, Obligation, Value};
 use super::failure::Failure;
-use super::{Approach, Reason};
+use super::{Approach, Reason, sample};
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Formula, Name, Operator, Target, Tendency};
 use std::cell::RefCell;
@@ -262,20 +264,31 @@ impl Limit {
         }
     }
 
-    /// The monomial beside which all others tend to 0, with its coefficient.
+    /// The monomial that the polynomial is like, with its coefficient: beside it all others tend to
+    /// 0, or are bounded and of the same sign.
     fn dominant(
         &self,
+        facts: &Facts,
         value: &Polynomial,
         budget: &Budget,
     ) -> Result<Option<(Pair, Polynomial)>, Reason> {
         let parts = self.monomials(value, budget)?;
-        let best = parts.keys().copied().find(|(a, b)| {
-            let others = parts.keys().filter(|pair| **pair != (*a, *b));
-            others
-                .into_iter()
-                .all(|(i, j)| self.vanishes((i - a, j - b)))
-        });
-        Ok(best.and_then(|pair| parts.get(&pair).map(|part| (pair, part.clone()))))
+        'candidates: for ((a, b), head) in &parts {
+            let mut beside = Vec::new();
+            for ((i, j), part) in parts.iter().filter(|(pair, _)| **pair != (*a, *b)) {
+                if i > a || j > b {
+                    continue 'candidates;
+                }
+                if !self.vanishes((i - a, j - b)) {
+                    beside.push(part);
+                }
+            }
+            beside.push(head);
+            if beside.len() == 1 || one_sign(facts, &beside, budget)? {
+                return Ok(Some(((*a, *b), head.clone())));
+            }
+        }
+        Ok(None)
     }
 
     /// Nothing when the criterion of the file's head is met; else what is not.
@@ -363,7 +376,7 @@ impl Limit {
         } else {
             sign
         };
-        match self.dominant(value, budget)? {
+        match self.dominant(facts, value, budget)? {
             Some((_, coefficient)) => facts.shows(sign, &coefficient, budget),
             None => Ok(false),
         }
@@ -378,7 +391,7 @@ impl Limit {
     ) -> Result<Option<Pair>, Reason> {
         let mut total = (0, 0);
         for (atom, exponent) in value.denominator() {
-            let Some((pair, coefficient)) = self.dominant(atom, budget)? else {
+            let Some((pair, coefficient)) = self.dominant(facts, atom, budget)? else {
                 return Ok(None);
             };
             if !facts.shows(Sign::NonZero, &coefficient, budget)? {
@@ -396,7 +409,7 @@ impl Limit {
         value: &RationalFunction,
         budget: &Budget,
     ) -> Result<Option<Pair>, Reason> {
-        let Some((above, coefficient)) = self.dominant(value.numerator(), budget)? else {
+        let Some((above, coefficient)) = self.dominant(facts, value.numerator(), budget)? else {
             return Ok(None);
         };
         let below = self.denominator(facts, value, budget)?;
@@ -449,6 +462,16 @@ impl Limit {
         }
         paths
     }
+}
+
+/// Whether all are shown to be positive, or all negative.
+fn one_sign(facts: &Facts, parts: &[&Polynomial], budget: &Budget) -> Result<bool, Reason> {
+    let mut signs = (true, true);
+    for part in parts {
+        signs.0 = signs.0 && facts.shows(Sign::Positive, part, budget)?;
+        signs.1 = signs.1 && facts.shows(Sign::Positive, &part.neg(), budget)?;
+    }
+    Ok(signs.0 || signs.1)
 }
 
 /// Values of k and n as polynomials in one variable that tends to infinity: k itself, or a name of
@@ -538,6 +561,7 @@ fn along(
         term: approach.term_text(&coefficient, exponent),
         order: approach.power_text(exponent),
         claimed: case.claimed(),
+        numbers: sample::numbers(case, &approach, &point, &path.values),
         point,
         path: path_text(&path.values),
     }))

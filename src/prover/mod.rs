@@ -10,6 +10,7 @@ mod gamma;
 mod integral;
 mod joint;
 mod moment;
+mod sample;
 mod turn;
 
 pub use approach::{Approach, Side};

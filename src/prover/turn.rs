@@ -112,6 +112,7 @@ pub(super) fn judge_turn(
             claimed: case.claimed(),
             point,
             path: None,
+            numbers: None,
         }),
         None => Err(Reason::Undecided(
             "no point was found where it is shown to fail".into(),
