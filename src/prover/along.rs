@@ -4,13 +4,14 @@
 //! of one variable. With several, the constants may depend on none of them: such a statement can be
 //! refuted on a path through them, not yet shown.
 
-use super::asymptotics::{ExpansionVerdict, judge_expansion};
+use super::asymptotics::{ExpansionVerdict, judge_powers};
 use super::domain::{Facts, plain};
+use super::expansion::ROOT_OF_VARIABLE;
 use super::{Approach, Reason, Sign};
 use crate::algebra::Polynomial;
 use crate::formula::{
-    Budget, Draw, Formula, Name, Operator, Part, Proposition, Regime, Relation, Substitution,
-    Target, Tendency,
+    Budget, Condition, Draw, Formula, Name, Operator, Parameter, ParameterKind, Part, Proposition,
+    Regime, Relation, Substitution, Target, Tendency,
 };
 use std::collections::BTreeSet;
 
@@ -104,6 +105,73 @@ fn large(regime: &Regime) -> Result<Formula, Reason> {
         },
         _ => Err(Reason::Unsupported("limits in turn along a curve".into())),
     }
+}
+
+/// Roots that are tried for a variable.
+const ROOTS: [i64; 3] = [2, 3, 6];
+
+/// Judges a limit at infinity of a variable that stands under roots, as one of its root: `k = s^2`
+/// goes through all large k as s does, s being real; and where it fails, it fails for whole s.
+pub(super) fn judge_root(
+    statement: (&Formula, Relation, &Formula),
+    regime: &Regime,
+    proposition: &Proposition,
+    budget: &Budget,
+) -> Result<ExpansionVerdict, Reason> {
+    let (left, relation, right) = statement;
+    let variable = match &regime.limits[..] {
+        [limit] => match &limit[..] {
+            [
+                Tendency {
+                    quantity: Formula::Name(name),
+                    target: Target::Infinity,
+                },
+            ] => name.clone(),
+            _ => return Err(Reason::Unsupported(ROOT_OF_VARIABLE.into())),
+        },
+        _ => return Err(Reason::Unsupported(ROOT_OF_VARIABLE.into())),
+    };
+    let root = unused(proposition);
+    let mut rooted = proposition.clone();
+    rooted.parameters.push(Parameter {
+        name: root.clone(),
+        kind: ParameterKind::Real,
+    });
+    let positive = vec![(Relation::Greater, Formula::integer(0))];
+    rooted
+        .domain
+        .push(Condition::Chain(Formula::Name(root.clone()), positive));
+    let mut verdict = Err(Reason::Unsupported(ROOT_OF_VARIABLE.into()));
+    for index in ROOTS {
+        let power = Formula::binary(
+            Operator::Power,
+            Formula::Name(root.clone()),
+            Formula::integer(index),
+        );
+        let regime = Regime {
+            along: vec![(variable.clone(), power)],
+            ..regime.clone()
+        };
+        verdict = judge_along(left, relation, right, &regime, &rooted, budget);
+        if verdict.is_ok() || verdict == Err(Reason::Exhausted) {
+            break;
+        }
+    }
+    verdict
+}
+
+/// A name that the proposition does not have.
+pub(super) fn unused(proposition: &Proposition) -> Name {
+    let taken = |name: &str| {
+        let parameters = proposition.parameters.iter().map(|p| &p.name);
+        let draws = proposition.draws.iter().map(|draw| &draw.name);
+        parameters.chain(draws).any(|other| **other == *name)
+    };
+    let mut name = "s".to_string();
+    while taken(&name) {
+        name.push('\'');
+    }
+    name.as_str().into()
 }
 
 /// A failure's path begins with the curve itself.
@@ -291,7 +359,7 @@ impl Curve {
             uniformly: uniformly.to_vec(),
             ..Regime::default()
         };
-        judge_expansion(
+        judge_powers(
             &self.left,
             relation,
             &self.right,

@@ -7,7 +7,7 @@
 //! [`Reason`].
 
 use super::domain::{Facts, Sign};
-use super::expansion::{Expansion, Obligation, expand};
+use super::expansion::{Expansion, Obligation, ROOT_OF_VARIABLE, expand};
 use super::failure::Failure;
 use super::{Approach, Reason, Side, joint, sample, turn};
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
@@ -77,6 +77,23 @@ const MAX_EXPONENT: u64 = 64;
 /// # Errors
 /// Why it is neither shown nor refuted.
 pub fn judge_expansion(
+    left: &Formula,
+    relation: Relation,
+    right: &Formula,
+    regime: &Regime,
+    proposition: &Proposition,
+    budget: &Budget,
+) -> Result<ExpansionVerdict, Reason> {
+    match judge_powers(left, relation, right, regime, proposition, budget) {
+        Err(Reason::Unsupported(why)) if why == ROOT_OF_VARIABLE && regime.along.is_empty() => {
+            super::along::judge_root((left, relation, right), regime, proposition, budget)
+        }
+        verdict => verdict,
+    }
+}
+
+/// Judges by series in whole powers of the variable.
+pub(super) fn judge_powers(
     left: &Formula,
     relation: Relation,
     right: &Formula,

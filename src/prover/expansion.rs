@@ -48,6 +48,9 @@ pub(super) struct Expander<'a> {
     fresh: Cell<usize>,
 }
 
+/// Why a series in powers of the variable does not exist; one in powers of a root of it may.
+pub(super) const ROOT_OF_VARIABLE: &str = "a root whose leading term has none";
+
 /// A sum over a range longer than this is refused.
 const MAX_SUMMANDS: i64 = 1000;
 
@@ -367,7 +370,7 @@ impl<'a> Expander<'a> {
         let (exponent, lead) = series.leading().ok_or(AlgebraError::TooFewTerms)?;
         let root = self.exact_root(lead, index)?;
         let (Some(root), 0) = (root, exponent % i64::from(index)) else {
-            return unsupported("a root whose leading term has none");
+            return unsupported(ROOT_OF_VARIABLE);
         };
         let power = RationalFunction::constant(Rational::from((1, index)));
         let unit = series.unit_power(&power, self.terms, self.budget)?;

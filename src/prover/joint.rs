@@ -19,6 +19,7 @@
 //! one of them, for generic c it does not cancel. So a failure is sought along such paths, and
 //! each is verified by itself as a limit of one variable: no failure rests on this argument.
 
+use super::along::unused;
 use super::asymptotics::{Case, ExpansionVerdict, path_text};
 use super::domain::{Facts, Sign};
 use super::expansion::{Expander, Obligation, Value};
@@ -431,7 +432,7 @@ impl Limit {
             values: vec![(self.other.clone(), n)],
         };
         let both = |n: u32, k: u32| {
-            let variable = unused(case);
+            let variable = unused(case.proposition);
             let values = [(&self.base, k), (&self.other, n)];
             let values = values.map(|(name, e)| (name.clone(), power(&variable, e)));
             Path {
@@ -479,20 +480,6 @@ fn one_sign(facts: &Facts, parts: &[&Polynomial], budget: &Budget) -> Result<boo
 struct Path {
     variable: Name,
     values: Vec<(Name, Polynomial)>,
-}
-
-/// A name that the proposition does not have.
-fn unused(case: &Case<'_>) -> Name {
-    let taken = |name: &str| {
-        let parameters = case.proposition.parameters.iter().map(|p| &p.name);
-        let draws = case.proposition.draws.iter().map(|draw| &draw.name);
-        parameters.chain(draws).any(|other| **other == *name)
-    };
-    let mut name = "s".to_string();
-    while taken(&name) {
-        name.push('\'');
-    }
-    name.as_str().into()
 }
 
 /// Judges the statement along one path, as a limit of one variable; nothing where it does not fail.

@@ -1,8 +1,8 @@
 //! A failed expansion in numbers: `|L - S|` over the gauge at two places on the failing path. They
 //! illustrate the verdict, which rests on the series alone.
 
-use super::Approach;
 use super::asymptotics::Case;
+use super::{Approach, Side};
 use crate::algebra::Polynomial;
 use crate::evaluate::{Context, Outcome, ladder};
 use crate::formula::{Budget, Formula, Name, Point};
@@ -17,19 +17,18 @@ const PLACES: [i64; 2] = [1_000, 1_000_000];
 /// Steps for one value; what costs more is left out.
 const STEPS: u64 = 2_000_000;
 
-/// The quotients as text, for a variable that tends to infinity.
+/// The quotients as text; nothing for a variable that tends to a point told in parameters.
 pub(super) fn numbers(
     case: &Case<'_>,
     approach: &Approach,
     fixed: &Point,
     path: &[(Name, Polynomial)],
 ) -> Option<String> {
-    let Approach::Infinity(variable) = approach else {
-        return None;
-    };
+    let variable = approach.variable();
     let mut texts = Vec::new();
     for place in PLACES {
-        let mut values: BTreeMap<Name, Rational> = [(variable.clone(), place.into())].into();
+        let own = stand(approach, place)?;
+        let mut values: BTreeMap<Name, Rational> = [(variable.clone(), own.clone())].into();
         for (name, value) in &fixed.numbers {
             values.insert(name.clone(), to_rug(value));
         }
@@ -38,12 +37,21 @@ pub(super) fn numbers(
             let value = value.evaluate(&values, case.budget).ok()?.as_constant()?;
             point.numbers.insert(name.clone(), from_rug(&value));
         }
-        let own = from_rug(&Rational::from(place));
-        point.numbers.insert(variable.clone(), own);
+        point.numbers.insert(variable.clone(), from_rug(&own));
         let quotient = quotient(case, &point)?.midpoint().to_f64();
-        texts.push(format!("{quotient:.3e} at {variable} = {place}"));
+        texts.push(format!("{quotient:.3e} at {variable} = {own}"));
     }
     Some(format!("quotient by the gauge {}", texts.join(", ")))
+}
+
+/// The variable near its target.
+fn stand(approach: &Approach, place: i64) -> Option<Rational> {
+    let step = Rational::from((1, place));
+    Some(match approach {
+        Approach::Infinity(_) => Rational::from(place),
+        Approach::Point(_, at, Side::Below) => at.as_constant()? - step,
+        Approach::Point(_, at, Side::Above | Side::Both) => at.as_constant()? + step,
+    })
 }
 
 fn quotient(case: &Case<'_>, point: &Point) -> Option<Interval> {

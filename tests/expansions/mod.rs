@@ -638,6 +638,46 @@ const JOINT: &[(&str, Row)] = &[
 
 /// What is compared with what: little o, ~, =~ and their last terms; points; curves; other functions.
 const SHAPES: &[(&str, Row)] = &[
+    (
+        K,
+        (Fails, "sqrt(k+1) - sqrt(k) == O(1/k) as k -> inf", "", ""),
+    ),
+    (
+        K,
+        (
+            Fails,
+            "sqrt(k+1) - sqrt(k) == 1/(3*sqrt(k)) + O(1/k) as k -> inf",
+            "",
+            "",
+        ),
+    ),
+    (
+        K,
+        (
+            Holds,
+            "k^(1/3) - (k-1)^(1/3) == O(1/k^(2/3)) as k -> inf",
+            "",
+            "",
+        ),
+    ),
+    (
+        K,
+        (
+            Holds,
+            "1/k + 1/k^2 == 1/k + o(1/k^(3/2)) as k -> inf",
+            "",
+            "",
+        ),
+    ),
+    (
+        K,
+        (
+            Fails,
+            "1/k + 1/k^2 == 1/k + O(1/k^(5/2)) as k -> inf",
+            "",
+            "",
+        ),
+    ),
     (K, (Holds, "1/(k+1) == 1/k + o(1/k) as k -> inf", "", "")),
     (K, (Fails, "1/(k+1) == 1/k + o(1/k^2) as k -> inf", "", "")),
     (K, (Holds, "1 + 1/k + 1/k^2 =~ 1 + 1/k as k -> inf", "", "")),
@@ -714,7 +754,7 @@ const SHAPES: &[(&str, Row)] = &[
     (
         K,
         (
-            OpenTrue,
+            Holds,
             "sqrt(k+1) - sqrt(k) == O(1/sqrt(k)) as k -> inf",
             "",
             "",
