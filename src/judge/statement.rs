@@ -332,11 +332,11 @@ fn expansion_finding(verdict: ExpansionVerdict) -> Finding {
             claimed,
             point,
             path,
+            numbers,
         } => {
-            let along = path
-                .map(|path| format!(" along {path}"))
-                .unwrap_or_default();
-            let found = format!("{term}, of order {order}{along}");
+            let along = path.map_or_else(String::new, |path| format!(" along {path}"));
+            let numbers = numbers.map_or_else(String::new, |numbers| format!("; {numbers}"));
+            let found = format!("{term}, of order {order}{along}{numbers}");
             Finding {
                 witness: Some(Evidence::Series {
                     point,

@@ -107,8 +107,13 @@ impl Approach {
         )
     }
 
-    /// A series as text of the claim language, its remainder as `O(...)`.
-    pub fn series_text(&self, series: &Series) -> String {
+    /// A series as text of the claim language, its remainder as `O(...)`; as `o(...)` of the order
+    /// before where a power of the variable's logarithm may hide in it.
+    pub fn series_text(&self, series: &Series, logarithmic: bool) -> String {
+        let remainder = |order: i64| match logarithmic {
+            true => format!("o({})", self.power_text(order.saturating_sub(1))),
+            false => format!("O({})", self.power_text(order)),
+        };
         let mut text = String::new();
         for (exponent, coefficient) in series.terms() {
             let (negative, term) = self.signed_text(coefficient, exponent);
@@ -121,8 +126,8 @@ impl Approach {
             text.push_str(&term);
         }
         match (series.order(), text.is_empty()) {
-            (Some(order), true) => format!("O({})", self.power_text(order)),
-            (Some(order), false) => format!("{text} + O({})", self.power_text(order)),
+            (Some(order), true) => remainder(order),
+            (Some(order), false) => format!("{text} + {}", remainder(order)),
             (None, true) => "0".to_string(),
             (None, false) => text,
         }

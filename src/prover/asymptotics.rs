@@ -7,13 +7,14 @@
 //! [`Reason`].
 
 use super::domain::{Facts, Sign};
-use super::expansion::{Expansion, Obligation, expand};
+use super::expansion::{Expansion, Obligation, ROOT_OF_VARIABLE, expand};
 use super::failure::Failure;
-use super::{Approach, Reason, Side, joint, turn};
-use crate::algebra::{Polynomial, RationalFunction};
+use super::{Approach, Reason, Side, joint, sample, turn};
+use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{
     Budget, Formula, Name, Operator, Part, Point, Proposition, Regime, Relation, Target, Tendency,
 };
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What became of an expansion.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ pub enum ExpansionVerdict {
         point: Point,
         /// How parameters move with the variable, where they do.
         path: Option<String>,
+        /// `|L - S|` over the gauge in numbers, where the evaluator has them.
+        numbers: Option<String>,
     },
     Vacuous {
         why: String,
@@ -48,6 +51,8 @@ pub(super) struct Comparison {
     pub difference: Formula,
     pub gauges: Vec<Formula>,
     pub little: bool,
+    /// `~` or `=~`: the quotient by the gauge is to tend to 0. An `o` of the print may mean more.
+    pub quotient: bool,
 }
 
 /// Everything that the judging of one comparison needs.
@@ -61,6 +66,9 @@ pub(super) struct Case<'a> {
 /// Orders beyond the gauge that are told.
 const FURTHER: i64 = 3;
 
+/// A gauge whose terms up to this order cancel is refused.
+const GAUGE_ORDER: i64 = 14;
+
 /// Gauges of a higher order than this are refused.
 const MAX_EXPONENT: u64 = 64;
 
@@ -69,6 +77,23 @@ const MAX_EXPONENT: u64 = 64;
 /// # Errors
 /// Why it is neither shown nor refuted.
 pub fn judge_expansion(
+    left: &Formula,
+    relation: Relation,
+    right: &Formula,
+    regime: &Regime,
+    proposition: &Proposition,
+    budget: &Budget,
+) -> Result<ExpansionVerdict, Reason> {
+    match judge_powers(left, relation, right, regime, proposition, budget) {
+        Err(Reason::Unsupported(why)) if why == ROOT_OF_VARIABLE && regime.along.is_empty() => {
+            super::along::judge_root((left, relation, right), regime, proposition, budget)
+        }
+        verdict => verdict,
+    }
+}
+
+/// Judges by series in whole powers of the variable.
+pub(super) fn judge_powers(
     left: &Formula,
     relation: Relation,
     right: &Formula,
@@ -123,6 +148,7 @@ fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Com
         }
     }
     let plain = gauges.is_empty() && little.is_empty();
+    let quotient = relation != Relation::Equal;
     let (gauges, little) = match relation {
         Relation::Asymptotic if plain => (vec![right.clone()], true),
         Relation::Approximate if plain => match terms.last() {
@@ -138,6 +164,7 @@ fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Com
         difference,
         gauges,
         little,
+        quotient,
     })
 }
 
@@ -195,11 +222,7 @@ impl Case<'_> {
     /// that of its remainder; there the formula and the laws must not mention the name.
     fn depends(&self, formula: &Formula, expansion: &Expansion, name: &Name) -> bool {
         match &expansion.exact {
-            Some(exact) => {
-                let logarithms = expansion.logarithms.iter();
-                let mut hidden = logarithms.filter(|(symbol, _)| exact.contains(symbol));
-                exact.contains(name) || hidden.any(|(_, argument)| argument.contains(name))
-            }
+            Some(exact) => hides(&exact.symbols(), name, &expansion.logarithms),
             None => {
                 let laws = self
                     .proposition
@@ -279,11 +302,27 @@ impl Case<'_> {
         Ok(None)
     }
 
+    /// An expansion far enough to show a leading term, where there is one.
+    pub(super) fn leading_part(
+        &self,
+        formula: &Formula,
+        approach: &Approach,
+    ) -> Result<Expansion, Reason> {
+        let mut order = 0;
+        loop {
+            let part = self.expansion(formula, approach, order)?;
+            if part.series.leading().is_some() || part.series.is_zero() || order >= GAUGE_ORDER {
+                return Ok(part);
+            }
+            order = 2 * order + 2;
+        }
+    }
+
     /// The leading exponents of the gauges; the comparison is with the weakest.
     fn gauge(&self, approach: &Approach) -> Result<Gauge, Reason> {
         let (mut parts, mut weakest) = (Vec::new(), None);
         for formula in &self.comparison.gauges {
-            let part = self.expansion(formula, approach, 0)?;
+            let part = self.leading_part(formula, approach)?;
             let Some((exponent, lead)) = part.series.leading() else {
                 return Err(Reason::Undecided("the gauge has no leading term".into()));
             };
@@ -338,12 +377,18 @@ impl Case<'_> {
             }
         }
         let order = gauge.exponent + FURTHER + 1;
-        let left = self.expansion(&self.comparison.left, approach, order)?;
-        let remainder = remainder_text(approach, difference);
-        let further = approach.series_text(&left.series.truncate(order));
+        // What cannot be told beyond the print takes nothing from the verdict.
+        let left = self.expansion(&self.comparison.left, approach, order);
+        let further = left.ok().map(|left| {
+            let logarithmic = left
+                .logarithms
+                .values()
+                .any(|a| a.contains(approach.variable()));
+            approach.series_text(&left.series.truncate(order), logarithmic)
+        });
         Ok(ExpansionVerdict::Holds {
-            further: Some(further),
-            remainder,
+            further,
+            remainder: remainder_text(approach, difference),
         })
     }
 
@@ -355,10 +400,11 @@ impl Case<'_> {
         uniformly: &[Name],
     ) -> Result<(), Reason> {
         for obligation in &expansion.obligations {
+            let symbols = obligation.polynomial.symbols();
             // Where nothing must be uniform, the sign of the leading coefficient is enough.
             if uniformly
                 .iter()
-                .any(|name| obligation.polynomial.contains(name))
+                .any(|name| hides(&symbols, name, &expansion.logarithms))
             {
                 self.show_uniformly(approach, obligation)?;
             } else {
@@ -398,8 +444,16 @@ impl Case<'_> {
         uniformly: &[Name],
     ) -> Result<ExpansionVerdict, Reason> {
         let (exponent, coefficient) = excess;
+        let log = approach.log_symbol();
+        if coefficient
+            .denominator()
+            .keys()
+            .any(|atom| atom.contains(&log))
+        {
+            return Err(Reason::Unsupported("a logarithm in a denominator".into()));
+        }
         // Where the coefficient holds the variable's logarithm, its highest power must be there.
-        let powers = coefficient.numerator().coefficients(&approach.log_symbol());
+        let powers = coefficient.numerator().coefficients(&log);
         let highest = powers.into_values().next_back().unwrap_or_default();
         let mut nonzero = vec![RationalFunction::from(highest)];
         nonzero.extend(
@@ -430,6 +484,7 @@ impl Case<'_> {
                     term: approach.term_text(&coefficient, exponent),
                     order: approach.power_text(exponent),
                     claimed: self.claimed(),
+                    numbers: sample::numbers(self, approach, &point, &path),
                     point,
                     path: path_text(&path),
                 });
@@ -484,6 +539,19 @@ impl Case<'_> {
         }
         Ok(signs)
     }
+}
+
+/// Whether symbols may change with a name: it is among them, or inside a logarithm.
+fn hides(
+    symbols: &BTreeSet<Symbol>,
+    name: &Name,
+    logarithms: &BTreeMap<Symbol, Polynomial>,
+) -> bool {
+    symbols.contains(name)
+        || symbols.iter().any(|symbol| {
+            let argument = logarithms.get(symbol);
+            argument.is_some_and(|argument| hides(&argument.symbols(), name, logarithms))
+        })
 }
 
 /// Gauges under one approach.
@@ -542,14 +610,14 @@ fn paths(approach: &Approach, uniformly: &[Name]) -> Vec<Vec<(Name, Polynomial)>
 /// own occurs; it is then told as `o(t^(N-1))`.
 fn remainder_text(approach: &Approach, difference: &Expansion) -> String {
     let log = approach.log_symbol();
+    let mut arguments = difference.logarithms.values();
+    let logarithmic = arguments.any(|argument| argument.contains(approach.variable()));
     match (difference.series.leading(), difference.series.order()) {
         (Some((exponent, coefficient)), _) if coefficient.contains(&log) => {
             format!("O({})", approach.term_text(coefficient, exponent))
         }
         (Some((exponent, _)), _) => format!("O({})", approach.power_text(exponent)),
-        (None, Some(order)) if difference.logarithms.contains_key(&log) => {
-            format!("o({})", approach.power_text(order - 1))
-        }
+        (None, Some(order)) if logarithmic => format!("o({})", approach.power_text(order - 1)),
         (None, Some(order)) => format!("O({})", approach.power_text(order)),
         (None, None) => "0".to_string(),
     }

@@ -5,9 +5,10 @@
 //! plus a nonnegative rest, nonnegative coefficients show that it is nonnegative, and a positive
 //! coefficient of a product of positive rests that it is positive. The test is sufficient only.
 
-use super::{Reason, engine_number};
+use super::Reason;
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Condition, Formula, Operator, ParameterKind, Proposition, Relation};
+use crate::number::convert::to_rug;
 use rug::Rational;
 use std::collections::BTreeSet;
 
@@ -306,7 +307,7 @@ pub(super) fn plain(formula: &Formula, budget: &Budget) -> Result<RationalFuncti
     budget.spend(1)?;
     let side = |formula: &Formula| plain(formula, budget);
     match formula {
-        Formula::Number(value) => Ok(RationalFunction::constant(engine_number(value))),
+        Formula::Number(value) => Ok(RationalFunction::constant(to_rug(value))),
         Formula::Pi => Ok(RationalFunction::symbol(&"pi".into())),
         Formula::Name(name) => Ok(RationalFunction::symbol(name)),
         Formula::Negate(value) => Ok(side(value)?.neg()),

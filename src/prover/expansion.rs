@@ -6,9 +6,10 @@
 //! [`Obligation`], to be shown on the domain or at a point by who judges.
 
 use super::domain::Sign;
-use super::{Approach, Reason, engine_number};
+use super::{Approach, Reason};
 use crate::algebra::{AlgebraError, Polynomial, RationalFunction, Series, Symbol};
 use crate::formula::{Budget, Draw, Formula, Function, Name, Operator, RangeKind, Ranged};
+use crate::number::convert::to_rug;
 use rug::Rational;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,6 +47,9 @@ pub(super) struct Expander<'a> {
     bound: RefCell<BTreeSet<Symbol>>,
     fresh: Cell<usize>,
 }
+
+/// Why a series in powers of the variable does not exist; one in powers of a root of it may.
+pub(super) const ROOT_OF_VARIABLE: &str = "a root whose leading term has none";
 
 /// A sum over a range longer than this is refused.
 const MAX_SUMMANDS: i64 = 1000;
@@ -110,9 +114,7 @@ impl<'a> Expander<'a> {
     pub(super) fn value(&self, formula: &Formula, scope: &Scope) -> Result<Value, Reason> {
         self.budget.spend(1)?;
         match formula {
-            Formula::Number(value) => Ok(Value::Exact(RationalFunction::constant(engine_number(
-                value,
-            )))),
+            Formula::Number(value) => Ok(Value::Exact(RationalFunction::constant(to_rug(value)))),
             Formula::Pi => Ok(Value::Exact(RationalFunction::symbol(&"pi".into()))),
             Formula::Name(name) => Ok(match scope.get(name) {
                 Some(value) => value.clone(),
@@ -177,7 +179,7 @@ impl<'a> Expander<'a> {
 
     /// `(1 + y)^r` with y tending to 0 and r free of the variable.
     fn symbolic_power(&self, base: &Value, exponent: &RationalFunction) -> Result<Value, Reason> {
-        if exponent.contains(self.approach()?.variable()) || self.has_bound(exponent) {
+        if self.moves(exponent)? || self.has_bound(exponent) {
             return unsupported("a power whose exponent varies");
         }
         let base = self.series(base)?;
@@ -235,7 +237,9 @@ impl<'a> Expander<'a> {
             _ => unsupported("a sum over a symbolic range"),
         };
         let (from, to) = (end(&ranged.from)?, end(&ranged.to)?);
-        if from.checked_sub(1).is_none_or(|least| to < least) || to - from > MAX_SUMMANDS {
+        if from.checked_sub(1).is_none_or(|least| to < least)
+            || to.saturating_sub(from) > MAX_SUMMANDS
+        {
             return unsupported("this range of a sum");
         }
         let (mut total, mut inner) = (Value::Exact(RationalFunction::zero()), scope.clone());
@@ -366,7 +370,7 @@ impl<'a> Expander<'a> {
         let (exponent, lead) = series.leading().ok_or(AlgebraError::TooFewTerms)?;
         let root = self.exact_root(lead, index)?;
         let (Some(root), 0) = (root, exponent % i64::from(index)) else {
-            return unsupported("a root whose leading term has none");
+            return unsupported(ROOT_OF_VARIABLE);
         };
         let power = RationalFunction::constant(Rational::from((1, index)));
         let unit = series.unit_power(&power, self.terms, self.budget)?;
@@ -439,6 +443,9 @@ impl<'a> Expander<'a> {
     fn ln_series(&self, series: &Series) -> Result<Series, Reason> {
         let approach = self.approach()?;
         let (exponent, lead) = series.leading().ok_or(AlgebraError::TooFewTerms)?;
+        if self.moves(lead)? {
+            return unsupported("a logarithm of a logarithm of the variable");
+        }
         let weight = RationalFunction::integer(exponent.saturating_mul(approach.sign_of_log()));
         let log = RationalFunction::symbol(&approach.log_symbol()).mul(&weight, self.budget)?;
         let head = self.ln_exact(lead)?.add(&log, self.budget)?;
@@ -495,24 +502,18 @@ impl<'a> Expander<'a> {
     fn expand_polynomial(&self, value: &Polynomial) -> Result<Series, Reason> {
         let approach = self.approach()?;
         let known = self.logarithms.borrow().clone();
-        let varying = |symbol: &Symbol| {
-            known
-                .get(symbol)
-                .filter(|argument| argument.contains(approach.variable()))
-                .cloned()
-        };
         let symbols = value.symbols();
         let found = symbols.iter().find_map(|symbol| {
             // The variable's own logarithm is the one symbol that series keep.
             let own = *symbol == approach.log_symbol();
-            varying(symbol)
-                .filter(|_| !own)
-                .map(|argument| (symbol, argument))
+            let argument = known.get(symbol).filter(|_| !own)?;
+            varies(symbol, approach, &known).then(|| (symbol, argument.clone()))
         });
         let Some((symbol, argument)) = found else {
             return approach.polynomial(value, self.budget);
         };
-        let logarithm = self.ln_series(&approach.polynomial(&argument, self.budget)?)?;
+        // The argument may hold logarithms of the variable itself.
+        let logarithm = self.ln_series(&self.expand_polynomial(&argument)?)?;
         let mut sum = Series::zero();
         for (exponent, part) in value.coefficients(symbol) {
             let power = logarithm.powi(i64::from(exponent), self.terms, self.budget)?;
@@ -526,6 +527,15 @@ impl<'a> Expander<'a> {
 
     pub(super) fn is_bound(&self, symbol: &str) -> bool {
         self.bound.borrow().contains(symbol)
+    }
+
+    /// Whether a value changes with the variable, be it inside a logarithm only.
+    pub(super) fn moves(&self, value: &RationalFunction) -> Result<bool, Reason> {
+        let (approach, known) = (self.approach()?, self.logarithms.borrow());
+        let symbols = value.symbols();
+        Ok(symbols
+            .iter()
+            .any(|symbol| varies(symbol, approach, &known)))
     }
 
     pub(super) fn has_bound(&self, value: &RationalFunction) -> bool {
@@ -598,6 +608,17 @@ impl<'a> Expander<'a> {
     }
 }
 
+/// Whether a symbol changes with the variable: the variable, or a logarithm of what changes.
+fn varies(symbol: &Symbol, approach: &Approach, known: &BTreeMap<Symbol, Polynomial>) -> bool {
+    symbol == approach.variable()
+        || *symbol == approach.log_symbol()
+        || known.get(symbol).is_some_and(|argument| {
+            // An argument's own logarithms were named before it, so this ends.
+            let symbols = argument.symbols();
+            symbols.iter().any(|inner| varies(inner, approach, known))
+        })
+}
+
 fn gcd(a: u64, b: u64) -> u64 {
     match b {
         0 => a,
@@ -652,6 +673,7 @@ pub fn expand(
         if enough || terms >= MAX_TERMS {
             let (series, exact) = series?;
             let (logarithms, obligations) = (expander.logarithms(), expander.obligations());
+            require_constant(&series, approach, &logarithms)?;
             return match enough {
                 true => Ok(Expansion {
                     series,
@@ -665,5 +687,23 @@ pub fn expand(
             };
         }
         terms = (terms + terms / 2 + 2).min(MAX_TERMS);
+    }
+}
+
+/// Coefficients are compared as constants: none may hide the variable, but for the logarithm that the
+/// comparison looks for.
+fn require_constant(
+    series: &Series,
+    approach: &Approach,
+    logarithms: &BTreeMap<Symbol, Polynomial>,
+) -> Result<(), Reason> {
+    let own = approach.log_symbol();
+    let hidden = |symbol: &Symbol| *symbol != own && varies(symbol, approach, logarithms);
+    match series
+        .terms()
+        .any(|(_, value)| value.symbols().iter().any(hidden))
+    {
+        true => unsupported("a coefficient that changes with the variable"),
+        false => Ok(()),
     }
 }

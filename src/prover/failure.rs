@@ -1,10 +1,11 @@
 //! A point at which an expansion fails: small values of the other parameters.
 
 use super::domain::{Facts, Sign};
-use super::{Approach, Reason, formula_number};
+use super::{Approach, Reason};
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Name, ParameterKind, Point, Proposition};
 use crate::number::Interval;
+use crate::number::convert::from_rug;
 use rug::Rational;
 use std::collections::BTreeMap;
 
@@ -68,8 +69,7 @@ impl Failure<'_> {
                     .collect();
                 if self.fits(&values)? {
                     let numbers = values.iter();
-                    let numbers =
-                        numbers.map(|(name, value)| (name.clone(), formula_number(value)));
+                    let numbers = numbers.map(|(name, value)| (name.clone(), from_rug(value)));
                     return Ok(Some(Point {
                         numbers: numbers.collect(),
                         ..Point::default()

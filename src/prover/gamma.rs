@@ -15,6 +15,9 @@ use rug::Rational;
 /// Shifts of a Gamma function beyond this are refused.
 const MAX_SHIFT: i64 = 512;
 
+/// Powers of products beyond this are not taken factor by factor; sums of smaller ones do not overflow.
+const MAX_POWER: u64 = 1 << 32;
+
 /// A product under construction: a value and powers of Gamma functions.
 struct Product {
     value: Value,
@@ -79,12 +82,13 @@ impl Expander<'_> {
         let Formula::Number(exponent) = exponent else {
             return self.factor(&self.value(formula, scope)?, power, product);
         };
-        let exponent = super::engine_number(exponent);
+        let exponent = crate::number::convert::to_rug(exponent);
         let whole = exponent
             .is_integer()
             .then(|| exponent.numer().to_i64())
             .flatten();
         let combined = whole.and_then(|whole| power.checked_mul(whole));
+        let combined = combined.filter(|power| power.unsigned_abs() <= MAX_POWER);
         match combined {
             Some(0) | None => self.factor(&self.value(formula, scope)?, power, product),
             Some(combined) => self.collect(base, combined, scope, product),
@@ -257,9 +261,10 @@ impl Expander<'_> {
         };
         let parameter = |formula| self.exact(formula, scope);
         let (a, b, c) = (parameter(a)?, parameter(b)?, parameter(c)?);
-        let variable = self.approach()?.variable();
-        if [&a, &b, &c].iter().any(|value| value.contains(variable)) {
-            return unsupported("a hypergeometric function whose parameters vary");
+        for value in [&a, &b, &c] {
+            if self.moves(value)? {
+                return unsupported("a hypergeometric function whose parameters vary");
+            }
         }
         self.require(Sign::Positive, &Value::Exact(c.clone()))?;
         let argument = self.value(&arguments[3], scope)?;

@@ -7,7 +7,9 @@
 //!
 //! *Criterion.* A polynomial with a monomial `c k^a t^b` such that every other monomial `k^i t^j` has
 //! `i <= a`, `j <= b` and tends to 0 beside it (`(i, j) != (a, b)` when both grow, `i < a` when t is at
-//! least 1 only) is that monomial times 1 + o(1), uniformly. Let the denominators of D and the gauges
+//! least 1 only) is that monomial times 1 + o(1), uniformly. If others with `i <= a`, `j <= b` do not
+//! tend to 0 beside it but have coefficients of its own sign, the polynomial still lies between two
+//! positive multiples of it, which is all that is used. Let the denominators of D and the gauges
 //! be of this kind. Dividing the numerator of D by the leading monomials leaves monomials
 //! `k^i t^j`, and D is O of the gauge when all have `i <= 0` and `j <= 0`, since then each is bounded;
 //! it is o of it when each tends to 0: `(i, j) != (0, 0)` when both grow, `i < 0` else.
@@ -17,11 +19,12 @@
 //! one of them, for generic c it does not cancel. So a failure is sought along such paths, and
 //! each is verified by itself as a limit of one variable: no failure rests on this argument.
 
+use super::along::unused;
 use super::asymptotics::{Case, ExpansionVerdict, path_text};
 use super::domain::{Facts, Sign};
 use super::expansion::{Expander, Obligation, Value};
 use super::failure::Failure;
-use super::{Approach, Reason};
+use super::{Approach, Reason, sample};
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Formula, Name, Operator, Target, Tendency};
 use std::cell::RefCell;
@@ -82,6 +85,15 @@ pub(super) fn judge_joint(case: &Case<'_>, limit: &[Tendency]) -> Result<Expansi
     let [first, second] = &names[..] else {
         return unread();
     };
+    if first == second {
+        return unread();
+    }
+    for (name, other) in [(first, second), (second, first)] {
+        let others = std::slice::from_ref(other);
+        if let Some(why) = case.vacuous(&Approach::Infinity(name.clone()), others)? {
+            return Ok(ExpansionVerdict::Vacuous { why });
+        }
+    }
     let limit = joint_limit(case, first, second, quotient)?;
     judge(case, &limit)
 }
@@ -177,7 +189,7 @@ fn judge(case: &Case<'_>, limit: &Limit) -> Result<ExpansionVerdict, Reason> {
         Err(Reason::Exhausted) => return Err(Reason::Exhausted),
         Err(reason) => reason,
     };
-    for path in limit.paths() {
+    for path in limit.paths(case) {
         match along(case, limit, &exact, &path) {
             Ok(Some(verdict)) => return Ok(verdict),
             Err(Reason::Exhausted) => return Err(Reason::Exhausted),
@@ -253,25 +265,46 @@ impl Limit {
         }
     }
 
-    /// The monomial beside which all others tend to 0, with its coefficient.
+    /// The monomial that the polynomial is like, with its coefficient: beside it all others tend to
+    /// 0, or are bounded and of the same sign.
     fn dominant(
         &self,
+        facts: &Facts,
         value: &Polynomial,
         budget: &Budget,
     ) -> Result<Option<(Pair, Polynomial)>, Reason> {
         let parts = self.monomials(value, budget)?;
-        let best = parts.keys().copied().find(|(a, b)| {
-            let others = parts.keys().filter(|pair| **pair != (*a, *b));
-            others
-                .into_iter()
-                .all(|(i, j)| self.vanishes((i - a, j - b)))
-        });
-        Ok(best.and_then(|pair| parts.get(&pair).map(|part| (pair, part.clone()))))
+        'candidates: for ((a, b), head) in &parts {
+            let mut beside = Vec::new();
+            for ((i, j), part) in parts.iter().filter(|(pair, _)| **pair != (*a, *b)) {
+                if i > a || j > b {
+                    continue 'candidates;
+                }
+                if !self.vanishes((i - a, j - b)) {
+                    beside.push(part);
+                }
+            }
+            beside.push(head);
+            if beside.len() == 1 || one_sign(facts, &beside, budget)? {
+                return Ok(Some(((*a, *b), head.clone())));
+            }
+        }
+        Ok(None)
     }
 
     /// Nothing when the criterion of the file's head is met; else what is not.
     fn holds(&self, case: &Case<'_>, exact: &Exact) -> Result<Option<String>, Reason> {
         let facts = self.facts(&case.facts);
+        // A logarithm of n is no constant coefficient, which is what the criterion would take it for.
+        let hidden = |obligation: &Obligation| {
+            let symbols = obligation.polynomial.symbols();
+            symbols
+                .iter()
+                .any(|symbol| exact.logarithms.contains_key(symbol))
+        };
+        if exact.obligations.iter().any(hidden) {
+            return Ok(Some("logarithms in a joint limit".into()));
+        }
         for obligation in &exact.obligations {
             if !self.shows(&facts, obligation.sign, &obligation.polynomial, case.budget)? {
                 return Ok(Some(format!(
@@ -344,7 +377,7 @@ impl Limit {
         } else {
             sign
         };
-        match self.dominant(value, budget)? {
+        match self.dominant(facts, value, budget)? {
             Some((_, coefficient)) => facts.shows(sign, &coefficient, budget),
             None => Ok(false),
         }
@@ -359,7 +392,7 @@ impl Limit {
     ) -> Result<Option<Pair>, Reason> {
         let mut total = (0, 0);
         for (atom, exponent) in value.denominator() {
-            let Some((pair, coefficient)) = self.dominant(atom, budget)? else {
+            let Some((pair, coefficient)) = self.dominant(facts, atom, budget)? else {
                 return Ok(None);
             };
             if !facts.shows(Sign::NonZero, &coefficient, budget)? {
@@ -377,7 +410,7 @@ impl Limit {
         value: &RationalFunction,
         budget: &Budget,
     ) -> Result<Option<Pair>, Reason> {
-        let Some((above, coefficient)) = self.dominant(value.numerator(), budget)? else {
+        let Some((above, coefficient)) = self.dominant(facts, value.numerator(), budget)? else {
             return Ok(None);
         };
         let below = self.denominator(facts, value, budget)?;
@@ -387,36 +420,66 @@ impl Limit {
         Ok(below.map(|below| (above.0 - below.0, above.1 - below.1)))
     }
 
-    /// Paths on which a failure is sought: k and n as polynomials in k.
-    fn paths(&self) -> Vec<Vec<(Name, Polynomial)>> {
+    /// Paths on which a failure is sought.
+    fn paths(&self, case: &Case<'_>) -> Vec<Path> {
         let k = Polynomial::symbol(&self.base);
-        let power = |exponent| {
-            let monomial = Monomial::power(&self.base, exponent);
+        let power = |name: &Name, exponent| {
+            let monomial = Monomial::power(name, exponent);
             Polynomial::term(monomial, rug::Rational::from(1))
+        };
+        let own = |n: Polynomial| Path {
+            variable: self.base.clone(),
+            values: vec![(self.other.clone(), n)],
+        };
+        let both = |n: u32, k: u32| {
+            let variable = unused(case.proposition);
+            let values = [(&self.base, k), (&self.other, n)];
+            let values = values.map(|(name, e)| (name.clone(), power(&variable, e)));
+            Path {
+                variable,
+                values: values.into(),
+            }
         };
         let mut paths = Vec::new();
         if !self.quotient_grows {
             for factor in [1, 2, 3] {
                 let straight = k.scale(&rug::Rational::from(factor));
-                paths.push(vec![(self.other.clone(), straight)]);
+                paths.push(own(straight));
             }
         }
         for exponent in [2, 3, 4, 6] {
-            paths.push(vec![(self.other.clone(), power(exponent))]);
+            paths.push(own(power(&self.base, exponent)));
         }
-        for exponent in [2, 3] {
-            // Other powers of n grow more slowly than n = k^2.
-            let both = [(&self.other, exponent + 1), (&self.base, exponent)];
-            paths.push(both.map(|(name, e)| (name.clone(), power(e))).into());
-        }
+        // n = k^(3/2) and n = k^(4/3).
+        paths.extend([(3, 2), (4, 3)].map(|(n, k)| both(n, k)));
         if !self.quotient {
-            for exponent in [2, 3, 4] {
-                let both = [(&self.other, 1), (&self.base, exponent)];
-                paths.push(both.map(|(name, e)| (name.clone(), power(e))).into());
+            paths.extend([2, 3, 4].map(|exponent| both(1, exponent)));
+            if !self.other_grows {
+                paths.push(Path {
+                    variable: self.base.clone(),
+                    values: Vec::new(),
+                });
             }
         }
         paths
     }
+}
+
+/// Whether all are shown to be positive, or all negative.
+fn one_sign(facts: &Facts, parts: &[&Polynomial], budget: &Budget) -> Result<bool, Reason> {
+    let mut signs = (true, true);
+    for part in parts {
+        signs.0 = signs.0 && facts.shows(Sign::Positive, part, budget)?;
+        signs.1 = signs.1 && facts.shows(Sign::Positive, &part.neg(), budget)?;
+    }
+    Ok(signs.0 || signs.1)
+}
+
+/// Values of k and n as polynomials in one variable that tends to infinity: k itself, or a name of
+/// the path's own.
+struct Path {
+    variable: Name,
+    values: Vec<(Name, Polynomial)>,
 }
 
 /// Judges the statement along one path, as a limit of one variable; nothing where it does not fail.
@@ -424,14 +487,14 @@ fn along(
     case: &Case<'_>,
     limit: &Limit,
     exact: &Exact,
-    path: &[(Name, Polynomial)],
+    path: &Path,
 ) -> Result<Option<ExpansionVerdict>, Reason> {
-    let approach = Approach::Infinity(limit.base.clone());
+    let approach = Approach::Infinity(path.variable.clone());
     // The leading coefficients of denominators, which must not vanish at the point either.
     let heads = RefCell::new(Vec::new());
     let leading = |value: &RationalFunction| -> Result<Option<(i64, RationalFunction)>, Reason> {
         let mut value = value.clone();
-        for (name, image) in path {
+        for (name, image) in &path.values {
             value = value.substitute(name, &image.clone().into(), case.budget)?;
         }
         let above = approach.polynomial(value.numerator(), case.budget)?;
@@ -473,17 +536,20 @@ fn along(
     let failure = Failure {
         approach: &approach,
         nonzero,
-        signs: case.signs(&exact.obligations, path)?,
+        signs: case.signs(&exact.obligations, &path.values)?,
         logarithms: &exact.logarithms,
         budget: case.budget,
     };
-    let without = [limit.base.clone(), limit.other.clone()];
+    // n is held fixed where the path does not move it.
+    let mut without = vec![limit.base.clone()];
+    without.extend(path.values.iter().map(|(name, _)| name.clone()));
     let point = failure.find(case.proposition, &case.facts, &without)?;
     Ok(point.map(|point| ExpansionVerdict::Fails {
         term: approach.term_text(&coefficient, exponent),
         order: approach.power_text(exponent),
         claimed: case.claimed(),
+        numbers: sample::numbers(case, &approach, &point, &path.values),
         point,
-        path: path_text(path),
+        path: path_text(&path.values),
     }))
 }

@@ -10,6 +10,7 @@ mod gamma;
 mod integral;
 mod joint;
 mod moment;
+mod sample;
 mod turn;
 
 pub use approach::{Approach, Side};
@@ -18,7 +19,6 @@ pub use domain::{Facts, Sign};
 pub use expansion::{Expansion, expand};
 
 use crate::algebra::AlgebraError;
-use crate::formula::Rational;
 use crate::formula::budget::Exhausted;
 
 /// Why the prover has no answer. Never to be read as an answer of either kind.
@@ -50,30 +50,4 @@ impl From<AlgebraError> for Reason {
             }
         }
     }
-}
-
-/// A number of the formula tree as one of the engine.
-fn engine_number(value: &Rational) -> rug::Rational {
-    let part = |integer: &num_bigint::BigInt| {
-        let (sign, bytes) = integer.to_bytes_le();
-        let size = rug::Integer::from_digits(&bytes, rug::integer::Order::Lsf);
-        if sign == num_bigint::Sign::Minus {
-            -size
-        } else {
-            size
-        }
-    };
-    rug::Rational::from((part(value.numer()), part(value.denom())))
-}
-
-/// A number of the engine as one of the formula tree.
-fn formula_number(value: &rug::Rational) -> Rational {
-    let part = |integer: &rug::Integer| {
-        let sign = match integer.cmp0() {
-            std::cmp::Ordering::Less => num_bigint::Sign::Minus,
-            _ => num_bigint::Sign::Plus,
-        };
-        num_bigint::BigInt::from_bytes_le(sign, &integer.to_digits(rug::integer::Order::Lsf))
-    };
-    Rational::new(part(value.numer()), part(value.denom()))
 }

@@ -8,14 +8,15 @@
 //! A body whose denominator holds a draw of a Beta law is expanded under the mean. That is right
 //! because a draw u lies in [0, 1]: every divisor is its leading term, free of u, times 1 + O(t)
 //! uniformly in u (the expander refuses any other), so the body's remainder is at most `C t^N`, times
-//! the power of u that was split off and whose moment is asked to be finite. So is its mean.
+//! the powers `u^-e` that were split off. Their moments are asked to be finite; where the law moves
+//! with the variable they may grow, and the remainder's mean is at most `C t^N` times them.
 
 use super::Reason;
 use super::domain::Sign;
 use super::expansion::{Expander, Scope, Value, unsupported};
 use super::integral::laurent;
-use crate::algebra::{Monomial, Polynomial, RationalFunction, Series, Symbol};
-use crate::formula::{Draw, Formula, Law, Name};
+use crate::algebra::{AlgebraError, Monomial, Polynomial, RationalFunction, Series, Symbol};
+use crate::formula::{Draw, Formula, Law, Name, Part};
 use rug::Rational;
 use std::collections::BTreeMap;
 
@@ -76,16 +77,34 @@ impl Expander<'_> {
         own: Option<&'d Draw>,
         scope: &Scope,
     ) -> Result<(Value, Draws<'d>), Reason> {
-        let Some(draw) = own else {
-            let draws = self.draws.iter().map(|draw| (draw.name.clone(), &draw.law));
-            return Ok((self.value(body, scope)?, draws.collect()));
-        };
-        let (symbol, mut inner) = (self.fresh(&draw.name), scope.clone());
-        inner.insert(
-            draw.name.clone(),
-            Value::Exact(RationalFunction::symbol(&symbol)),
-        );
-        Ok((self.value(body, &inner)?, vec![(symbol, &draw.law)]))
+        let (mut inner, mut draws) = (scope.clone(), Draws::new());
+        match own {
+            None => draws.extend(self.draws.iter().map(|draw| (draw.name.clone(), &draw.law))),
+            Some(draw) => {
+                let symbol = self.fresh(&draw.name);
+                let value = Value::Exact(RationalFunction::symbol(&symbol));
+                inner.insert(draw.name.clone(), value);
+                draws.push((symbol, &draw.law));
+            }
+        }
+        let value = self.value(body, &inner)?;
+        if matches!(value, Value::Expanded(_)) && self.mentions_draw(body, &inner) {
+            // Its terms tell nothing of its remainder, which may have no mean.
+            return unsupported("a mean of a series in the draws");
+        }
+        Ok((value, draws))
+    }
+
+    /// Whether a formula may depend on a draw or a variable of integration.
+    fn mentions_draw(&self, body: &Formula, scope: &Scope) -> bool {
+        Part::Formula(body)
+            .free_names()
+            .iter()
+            .any(|name| match scope.get(name) {
+                None => self.is_bound(name),
+                Some(Value::Exact(value) | Value::Root(value, _)) => self.has_bound(value),
+                Some(Value::Expanded(_)) => true,
+            })
     }
 
     fn average(
@@ -146,16 +165,24 @@ impl Expander<'_> {
         body: &RationalFunction,
         laws: &[(Symbol, Moments)],
     ) -> Result<Value, Reason> {
+        // The order to which the moments of the split off powers grow, the draws being independent.
+        let mut growth: i64 = 0;
         for (symbol, moments) in laws {
             if !matches!(moments, Moments::Beta(..)) {
                 return unsupported("a mean of a rational function over this law");
             }
             if let Some(exponent) = body.denominator().get(&Polynomial::symbol(symbol)) {
-                self.moment(moments, -i64::from(*exponent))?;
+                let moment = self.series(&self.moment(moments, -i64::from(*exponent))?)?;
+                let (valuation, lead) = moment.leading().ok_or(AlgebraError::TooFewTerms)?;
+                if self.moves(lead)? {
+                    return unsupported("a law with a logarithm of the variable");
+                }
+                growth = growth.saturating_add(valuation.min(0));
             }
         }
         let series = self.series(&Value::Exact(body.clone()))?;
-        let mut sum = series.order().map_or_else(Series::zero, Series::remainder);
+        let order = series.order().map(|order| order.saturating_add(growth));
+        let mut sum = order.map_or_else(Series::zero, Series::remainder);
         for (exponent, coefficient) in series.terms() {
             let Some(mean) = self.average_laurent(coefficient, laws)? else {
                 return unsupported("a mean whose series has draws in a denominator");
@@ -291,7 +318,8 @@ impl Expander<'_> {
         }
     }
 
-    /// A single power with integral 1 over a positive range is nowhere negative, hence a density.
+    /// A single power with integral 1 is a density where its coefficient is positive and the range
+    /// nonnegative: a reversed range would give it a negative integral.
     fn require_mass(
         &self,
         density: &BTreeMap<i64, RationalFunction>,
@@ -299,6 +327,10 @@ impl Expander<'_> {
         to: &Value,
     ) -> Result<(), Reason> {
         self.require(Sign::NonNegative, from)?;
+        self.require(Sign::NonNegative, to)?;
+        for coefficient in density.values() {
+            self.require(Sign::Positive, &Value::Exact(coefficient.clone()))?;
+        }
         let minus_one = Value::Exact(RationalFunction::integer(-1));
         let excess = self.add(&self.integrate(density, from, to)?, &minus_one)?;
         match excess {

@@ -38,7 +38,7 @@ pub(super) fn judge_turn(
     }
     let (mut gauges, mut parts) = (Vec::new(), Vec::new());
     for formula in &case.comparison.gauges {
-        let part = case.expansion(formula, &outer, 0)?;
+        let part = case.leading_part(formula, &outer)?;
         let Some((exponent, head)) = part.series.leading() else {
             return Err(Reason::Undecided("the gauge has no leading term".into()));
         };
@@ -53,6 +53,11 @@ pub(super) fn judge_turn(
     let excess = excess(case, &inner, &difference, &gauges, last)?;
     parts.push(difference);
     let obligations: Vec<Obligation> = parts.iter().flat_map(|p| p.obligations.clone()).collect();
+    if depends_on_reading(case, &parts, &gauges, last, excess.as_ref()) {
+        return Err(Reason::Undecided(
+            "it depends on the reading of the last order term".into(),
+        ));
+    }
     let Some(excess) = excess else {
         for obligation in &obligations {
             let (sign, polynomial) = near(obligation, &outer, case.budget)?;
@@ -67,11 +72,6 @@ pub(super) fn judge_turn(
             remainder: case.claimed(),
         });
     };
-    if excess.outer == last && last != 0 && !case.comparison.little {
-        return Err(Reason::Undecided(
-            "it depends on the reading of the last O".into(),
-        ));
-    }
     let mut signs = Vec::new();
     for (sign, polynomial) in case.signs(&obligations, &[])? {
         signs.push(near(&Obligation { sign, polynomial }, &outer, case.budget)?);
@@ -112,10 +112,38 @@ pub(super) fn judge_turn(
             claimed: case.claimed(),
             point,
             path: None,
+            numbers: None,
         }),
         None => Err(Reason::Undecided(
             "no point was found where it is shown to fail".into(),
         )),
+    }
+}
+
+/// Whether a verdict would rest on how an order term with n is meant: as a bound of a coefficient, or
+/// of the rest of the outer series for every k by itself. Nor is it plain whether a gauge of an
+/// earlier coefficient covers a later one.
+fn depends_on_reading(
+    case: &Case<'_>,
+    parts: &[Expansion],
+    gauges: &[(i64, i64, RationalFunction)],
+    last: i64,
+    excess: Option<&Excess>,
+) -> bool {
+    if case.comparison.quotient {
+        return false;
+    }
+    let difference = parts.last();
+    match excess {
+        Some(excess) => {
+            gauges.iter().any(|gauge| gauge.0 < excess.outer) || (excess.outer == last && last != 0)
+        }
+        // A coefficient that `o` bounds by a quotient in the limit does not vanish for each k.
+        None => {
+            case.comparison.little
+                && last != 0
+                && difference.is_some_and(|d| d.series.coefficient(last).is_some())
+        }
     }
 }
 
