@@ -3,9 +3,15 @@
 //! The judge finds; it is not believed. A failure that it sees counts only when the kernel checks it
 //! ([`crate::kernel::check_witness`]); what it cannot decide stays `undecided`.
 
+mod duties;
+mod finding;
+mod functions;
 mod points;
 mod relate;
+mod search;
 mod statement;
+mod vacuous;
+mod values;
 mod verdict;
 
 pub use verdict::{Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
@@ -15,8 +21,9 @@ use crate::formula::{Budget, Condition, Point, Proposition, Relation, Statement}
 use crate::kernel::{Because, Value};
 use crate::number::Interval;
 use crate::number::convert::to_rug;
+use finding::{Evidence, Finding};
 use points::Domain;
-use statement::{Evidence, Finding, holds_at, is_expansion, judge_proposition};
+use statement::{holds_at, is_expansion, judge_proposition};
 use std::collections::BTreeMap;
 use std::time::Instant;
 

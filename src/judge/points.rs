@@ -3,27 +3,18 @@
 //! The size of a point is the total of its numerators and denominators, so that the first failure
 //! found among the small points is the smallest witness.
 
+use super::functions;
+use super::values::{Bounds, Reach, random_integer, random_rational, values_of_size};
 use crate::evaluate::{self, Context, Outcome};
 use crate::formula::{
-    Budget, Condition, Draw, Formula, FunctionKind, Name, Parameter, ParameterKind, Part, Point,
-    Proposition, Rational, Relation,
+    Budget, Condition, Draw, Formula, Name, Parameter, ParameterKind, Part, Point, Proposition,
+    Rational, Relation,
 };
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::Signed;
 use rand::RngExt;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
-use std::collections::BTreeMap;
-
-/// How far random values reach.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reach {
-    /// Integers to a dozen, fractions of such.
-    Near,
-    /// Integers to ten thousand, spread evenly over their logarithm.
-    Far,
-}
 
 /// The domain of a proposition, prepared for the search of its points.
 pub struct Domain<'a> {
@@ -43,7 +34,7 @@ struct Step<'a> {
 }
 
 /// A part of the domain: a single relation where it could be split so far, else a whole condition.
-enum Relating<'a> {
+pub enum Relating<'a> {
     Pair(&'a Formula, Relation, &'a Formula, Condition),
     Whole(&'a Condition),
 }
@@ -55,13 +46,6 @@ impl Relating<'_> {
             Relating::Whole(condition) => condition,
         }
     }
-}
-
-/// The bounds that the conditions put on one parameter, the others being known.
-#[derive(Default)]
-struct Bounds {
-    low: Option<Rational>,
-    high: Option<Rational>,
 }
 
 impl<'a> Domain<'a> {
@@ -137,7 +121,7 @@ impl<'a> Domain<'a> {
                 break;
             }
             if let Some(point) = self.draw_point(reach, &mut rng) {
-                let pick = rng.random_range(0..FUNCTIONS);
+                let pick = rng.random_range(0..functions::COUNT);
                 let before = found.len();
                 self.with_functions_from(point, &mut found, before + 1, pick);
             }
@@ -194,7 +178,7 @@ impl<'a> Domain<'a> {
                     .all(|relating| self.holds(relating.condition(), point))
                 {
                     if rest == 0 {
-                        self.with_functions(point.clone(), found, count, FUNCTIONS);
+                        self.with_functions(point.clone(), found, count, functions::COUNT);
                     } else {
                         self.descend(index + 1, total - size, point, found, count, left);
                     }
@@ -272,7 +256,7 @@ impl<'a> Domain<'a> {
             found.push(point);
             return;
         }
-        for pick in 0..most.min(FUNCTIONS) {
+        for pick in 0..most.min(functions::COUNT) {
             self.with_functions_from(point.clone(), found, count, pick);
         }
     }
@@ -295,24 +279,9 @@ impl<'a> Domain<'a> {
             else {
                 return;
             };
-            let polynomial = POLYNOMIALS[(pick + 2 * index) % FUNCTIONS];
-            let body = match kind {
-                FunctionKind::Density => {
-                    let (Some(from), Some(to)) =
-                        (self.number(from, &point), self.number(to, &point))
-                    else {
-                        return;
-                    };
-                    if from >= to {
-                        return;
-                    }
-                    density(argument, polynomial, &from, &to)
-                }
-                _ => horner(
-                    argument,
-                    &polynomial.map(|c| Rational::from_integer(c.into())),
-                    &Rational::zero(),
-                ),
+            let range = self.number(from, &point).zip(self.number(to, &point));
+            let Some(body) = functions::nth(pick + 2 * index, argument, *kind, range) else {
+                return;
             };
             point
                 .functions
@@ -324,96 +293,8 @@ impl<'a> Domain<'a> {
     }
 }
 
-/// Coefficients, constant term first, of the polynomials that function parameters are tried with.
-/// For densities they multiply powers of the distance to the lower end, in absolute value.
-const POLYNOMIALS: [[i64; 4]; FUNCTIONS] = [
-    [0, 1, 0, 0],
-    [1, 0, 0, 0],
-    [1, 2, 0, 0],
-    [0, 0, 1, 0],
-    [2, -1, 3, 0],
-    [1, 1, -2, 1],
-];
-const FUNCTIONS: usize = 6;
-
-/// The formula of `sum c_i (argument - shift)^i`.
-fn horner(argument: &Name, coefficients: &[Rational; 4], shift: &Rational) -> Formula {
-    use crate::formula::Operator::{Add, Multiply, Power, Subtract};
-    let base = if shift.is_zero() {
-        Formula::Name(argument.clone())
-    } else {
-        Formula::binary(
-            Subtract,
-            Formula::Name(argument.clone()),
-            Formula::Number(shift.clone()),
-        )
-    };
-    let mut sum: Option<Formula> = None;
-    for (power, coefficient) in coefficients.iter().enumerate() {
-        if coefficient.is_zero() {
-            continue;
-        }
-        let number = Formula::Number(coefficient.clone());
-        let term = match power {
-            0 => number,
-            1 => Formula::binary(Multiply, number, base.clone()),
-            _ => Formula::binary(
-                Multiply,
-                number,
-                Formula::binary(Power, base.clone(), Formula::integer(power as i64)),
-            ),
-        };
-        sum = Some(match sum {
-            None => term,
-            Some(sum) => Formula::binary(Add, sum, term),
-        });
-    }
-    sum.unwrap_or_else(|| Formula::integer(0))
-}
-
-/// A density between `from` and `to`: nonnegative coefficients in the distance to `from`, divided by
-/// the integral.
-fn density(argument: &Name, polynomial: [i64; 4], from: &Rational, to: &Rational) -> Formula {
-    let width = to - from;
-    let mut integral = Rational::zero();
-    let mut power = width.clone();
-    for (i, coefficient) in polynomial.iter().enumerate() {
-        integral += Rational::new(coefficient.abs().into(), BigInt::from(i + 1)) * &power;
-        power *= &width;
-    }
-    let scaled = polynomial.map(|c| Rational::from_integer(c.abs().into()) / &integral);
-    horner(argument, &scaled, from)
-}
-
-impl Bounds {
-    fn tighten(&mut self, relation: Relation, value: Rational) {
-        match relation {
-            Relation::Less | Relation::LessEqual => {
-                if self.high.as_ref().is_none_or(|high| value < *high) {
-                    self.high = Some(value);
-                }
-            }
-            Relation::Greater | Relation::GreaterEqual => {
-                if self.low.as_ref().is_none_or(|low| value > *low) {
-                    self.low = Some(value);
-                }
-            }
-            Relation::Equal => {
-                self.tighten(Relation::LessEqual, value.clone());
-                self.tighten(Relation::GreaterEqual, value);
-            }
-            _ => {}
-        }
-    }
-
-    fn admit(&self, value: &Rational) -> bool {
-        self.low.as_ref().is_none_or(|low| low <= value)
-            && self.high.as_ref().is_none_or(|high| value <= high)
-    }
-}
-
 /// The pairwise relations of a condition, as far as it is a conjunction.
-fn split(condition: &Condition) -> Vec<Relating<'_>> {
+pub fn split(condition: &Condition) -> Vec<Relating<'_>> {
     match condition {
         Condition::And(parts) => parts.iter().flat_map(split).collect(),
         Condition::Chain(first, links) => {
@@ -449,137 +330,61 @@ pub fn size(point: &Point) -> BigInt {
         .sum()
 }
 
-/// The values p/q in lowest terms with |p| + q = size, nonnegative first.
-fn values_of_size(size: usize, integer: bool) -> Vec<Rational> {
-    let mut values = Vec::new();
-    let size = size as i64;
-    let denominators = if integer { 1..=1 } else { 1..=size };
-    for denominator in denominators {
-        let numerator = size - denominator;
-        if numerator.gcd(&denominator) != 1 {
-            continue;
-        }
-        let value = Rational::new(numerator.into(), denominator.into());
-        if numerator > 0 {
-            values.push(-&value);
-        }
-        values.push(value);
-    }
-    values.sort_by(|a, b| {
-        b.is_negative()
-            .cmp(&a.is_negative())
-            .reverse()
-            .then(a.cmp(b))
-    });
-    values
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::parse_proposition;
 
-fn random_integer(bounds: &Bounds, reach: Reach, rng: &mut Xoshiro256PlusPlus) -> Option<Rational> {
-    let low = bounds.low.as_ref().map(|low| low.ceil().to_integer());
-    let high = bounds.high.as_ref().map(|high| high.floor().to_integer());
-    let value = match (low, high) {
-        (Some(low), Some(high)) => {
-            let width = (&high - &low).to_u64()?;
-            match rng.random_range(0..4u32) {
-                0 => low + BigInt::from(rng.random_range(0..=width.min(2))),
-                1 => high - BigInt::from(rng.random_range(0..=width.min(2))),
-                _ => low + BigInt::from(rng.random_range(0..=width)),
-            }
-        }
-        (Some(low), None) => low + step_out(reach, rng),
-        (None, Some(high)) => high - step_out(reach, rng),
-        (None, None) => step_out(reach, rng) * if rng.random_bool(0.5) { 1 } else { -1 },
-    };
-    Some(Rational::from_integer(value))
-}
+    fn points(text: &str, count: usize) -> Vec<String> {
+        let proposition = parse_proposition(text).unwrap();
+        let budget = Budget::new(1_000_000);
+        let domain = Domain::new(&proposition, &budget);
+        let text = |point: &Point| {
+            let values: Vec<String> = point.numbers.values().map(ToString::to_string).collect();
+            values.join(" ")
+        };
+        domain.small(count, 100_000).iter().map(text).collect()
+    }
 
-/// How far from a bound a random integer lies.
-fn step_out(reach: Reach, rng: &mut Xoshiro256PlusPlus) -> BigInt {
-    match reach {
-        Reach::Near => rng.random_range(0..=9u64).into(),
-        Reach::Far => {
-            let digits = rng.random_range(1..=4u32);
-            rng.random_range(0..10u64.pow(digits)).into()
-        }
-    }
-}
+    const CHAIN: &str = "given int k\ngiven int n\ndomain 1 <= k <= n\nsays k <= n";
 
-fn random_rational(bounds: &Bounds, reach: Reach, rng: &mut Xoshiro256PlusPlus) -> Rational {
-    let most = match reach {
-        Reach::Near => 12u64,
-        Reach::Far => 10_000,
-    };
-    let denominator = rng.random_range(1..=most);
-    match (&bounds.low, &bounds.high) {
-        (Some(low), Some(high)) => {
-            let part = Rational::new(rng.random_range(0..=denominator).into(), denominator.into());
-            low + (high - low) * part
-        }
-        (low, high) => {
-            let value = Rational::new(rng.random_range(0..=most).into(), denominator.into());
-            match (low, high) {
-                (Some(low), _) => low + value,
-                (_, Some(high)) => high - value,
-                _ if rng.random_bool(0.5) => -value,
-                _ => value,
-            }
-        }
+    #[test]
+    fn small_points_come_in_order_of_size_and_none_is_missed() {
+        let found = points(CHAIN, 6);
+        assert_eq!(found, ["1 1", "1 2", "1 3", "2 2", "1 4", "2 3"]);
     }
-}
 
-/// Whether the conditions contradict each other by their constant bounds alone: a proof that the domain
-/// has no point. Lower bounds travel along `a <= b`; a strict link between integers adds one.
-pub fn contradictory(proposition: &Proposition) -> bool {
-    let integer = |formula: &Formula| match formula {
-        Formula::Name(name) => proposition
-            .parameters
-            .iter()
-            .any(|parameter| parameter.name == *name && parameter.kind == ParameterKind::Integer),
-        Formula::Number(value) => value.is_integer(),
-        _ => false,
-    };
-    let mut edges: Vec<(&Formula, &Formula, bool)> = Vec::new();
-    for relating in proposition.domain.iter().flat_map(split) {
-        if let Relating::Pair(left, relation, right, _) = relating {
-            match relation {
-                Relation::Less => edges.push((left, right, true)),
-                Relation::LessEqual => edges.push((left, right, false)),
-                Relation::Greater => edges.push((right, left, true)),
-                Relation::GreaterEqual => edges.push((right, left, false)),
-                Relation::Equal => edges.extend([(left, right, false), (right, left, false)]),
-                _ => {}
+    #[test]
+    fn reals_are_fractions_in_lowest_terms() {
+        let found = points("given real x\ndomain 0 <= x < 1\nsays x < 1", 6);
+        assert_eq!(found, ["0", "1/2", "1/3", "1/4", "2/3", "1/5"]);
+    }
+
+    #[test]
+    fn random_points_lie_in_the_domain_and_repeat_with_the_seed() {
+        let proposition = parse_proposition(CHAIN).unwrap();
+        let budget = Budget::new(1_000_000);
+        let domain = Domain::new(&proposition, &budget);
+        for reach in [Reach::Near, Reach::Far] {
+            let found = domain.random(40, reach, 7);
+            assert_eq!(found.len(), 40);
+            for point in &found {
+                assert!(point.numbers["k"] >= Rational::from_integer(1.into()));
+                assert!(point.numbers["k"] <= point.numbers["n"]);
             }
+            assert_eq!(found, domain.random(40, reach, 7));
         }
     }
-    let mut lower: BTreeMap<&Name, (Rational, bool)> = Default::default();
-    for _ in 0..=proposition.parameters.len() {
-        for (small, large, strict) in &edges {
-            let from = match small {
-                Formula::Number(value) => (value.clone(), false),
-                Formula::Name(name) => match lower.get(name) {
-                    Some(bound) => bound.clone(),
-                    None => continue,
-                },
-                _ => continue,
-            };
-            let whole = integer(small) && integer(large);
-            let bound = match (strict, whole) {
-                (true, true) => (from.0 + Rational::one(), false),
-                (strict, _) => (from.0, from.1 || *strict),
-            };
-            match large {
-                Formula::Number(value) if bound.0 > *value || (bound.0 == *value && bound.1) => {
-                    return true;
-                }
-                Formula::Name(name) => {
-                    let known = lower.get(name);
-                    if known.is_none_or(|known| bound > *known) {
-                        lower.insert(name, bound);
-                    }
-                }
-                _ => {}
-            }
-        }
+
+    #[test]
+    fn contradictions_are_seen_only_where_they_are() {
+        let contradictory = |domain: &str| {
+            let text = format!("given int k\ngiven int n\ndomain {domain}\nsays k <= n");
+            crate::judge::vacuous::contradictory(&parse_proposition(&text).unwrap())
+        };
+        assert!(contradictory("3 <= k <= n and n < 3"));
+        assert!(contradictory("0 < k and k < n and n < 2"));
+        assert!(!contradictory("0 < k and k < n and n <= 2"));
+        assert!(!contradictory("k <= n"));
     }
-    false
 }

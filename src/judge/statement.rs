@@ -2,43 +2,17 @@
 //! worst of them.
 
 use super::Settings;
-use super::points::{Domain, Reach, contradictory, size};
+use super::duties::judge_duties;
+use super::finding::{Evidence, Finding, worse};
 use super::relate::{AtPoint, relate};
-use super::verdict::{Extent, Verdict};
+use super::search::{Search, points};
+use super::vacuous::contradictory;
+use super::verdict::Verdict;
 use crate::evaluate::Context;
 use crate::formula::{
-    Budget, Condition, Duty, Formula, Name, Parameter, ParameterKind, Point, Proposition,
-    RangeKind, Ranged, Regime, Relation, Statement,
+    Budget, Duty, Formula, Name, Point, Proposition, Regime, Relation, Statement,
 };
-use crate::kernel::{self, Refutation, Witness};
 use crate::prover::{ExpansionVerdict, judge_expansion};
-
-/// What was found out about one part of a statement, or about the whole.
-#[derive(Debug)]
-pub struct Finding {
-    pub verdict: Verdict,
-    pub extent: Option<Extent>,
-    pub reason: Option<String>,
-    pub witness: Option<Evidence>,
-    pub series: Option<String>,
-}
-
-/// Why a part is refuted.
-#[derive(Debug)]
-pub enum Evidence {
-    /// The kernel checked this witness.
-    Checked {
-        witness: Witness,
-        refutation: Refutation,
-    },
-    /// The exact series of both sides differ: until expansions have constants, this is not the
-    /// kernel's word.
-    Series {
-        point: Point,
-        claimed: String,
-        found: String,
-    },
-}
 
 /// One part of a statement; relations and duties are numbered as the kernel numbers them.
 enum Part<'a> {
@@ -61,34 +35,6 @@ enum Part<'a> {
     Noted,
     /// A condition on another claim that the book could not unfold.
     Unresolved,
-}
-
-impl Finding {
-    fn plain(verdict: Verdict) -> Finding {
-        Finding {
-            verdict,
-            extent: None,
-            reason: None,
-            witness: None,
-            series: None,
-        }
-    }
-
-    /// A verdict with its reason.
-    pub fn because(verdict: Verdict, reason: impl Into<String>) -> Finding {
-        Finding {
-            reason: Some(reason.into()),
-            ..Finding::plain(verdict)
-        }
-    }
-
-    /// Whether the statement may be relied on.
-    pub fn positive(&self) -> bool {
-        matches!(
-            self.verdict,
-            Verdict::Proved | Verdict::Certified | Verdict::Defined
-        )
-    }
 }
 
 /// Judges a proposition.
@@ -151,21 +97,6 @@ pub fn holds_at(
         }
     }
     held
-}
-
-/// The points that every relation of the proposition is tried at: small ones in order of size, then
-/// random near and far ones, no point twice.
-fn points(proposition: &Proposition, budget: &Budget, settings: &Settings) -> Vec<Point> {
-    let domain = Domain::new(proposition, budget);
-    let mut points = domain.small(settings.points, 40 * settings.points);
-    for (reach, share) in [(Reach::Near, 2), (Reach::Far, 8)] {
-        for point in domain.random(settings.points / share, reach, settings.seed) {
-            if !points.contains(&point) {
-                points.push(point);
-            }
-        }
-    }
-    points
 }
 
 fn parts(statement: &Statement) -> Vec<Part<'_>> {
@@ -234,28 +165,6 @@ impl Part<'_> {
             Part::Noted | Part::Unresolved => 0,
         }
     }
-}
-
-/// The finding that decides a chain: a refuted link refutes it, else the worse verdict stands.
-fn worse(a: Finding, b: Finding) -> Finding {
-    let rank = |finding: &Finding| match finding.verdict {
-        Verdict::Refuted => 8,
-        other => other as usize,
-    };
-    let extent = match (a.extent, b.extent) {
-        (Some(a), Some(b)) => Some(Extent {
-            points: a.points.min(b.points),
-            set_aside: a.set_aside.max(b.set_aside),
-            digits: a.digits.min(b.digits),
-        }),
-        (a, b) => a.or(b),
-    };
-    let series = a.series.clone().or_else(|| b.series.clone());
-    let mut worst = if rank(&b) > rank(&a) { b } else { a };
-    // A refutation rests on its witness alone, not on the points at which other links hold.
-    worst.extent = extent.filter(|_| worst.verdict != Verdict::Refuted);
-    worst.series = series;
-    worst
 }
 
 fn judge_part(
@@ -347,274 +256,5 @@ fn expansion_finding(verdict: ExpansionVerdict) -> Finding {
             }
         }
         ExpansionVerdict::Vacuous { why } => Finding::because(Verdict::Vacuous, why),
-    }
-}
-
-/// The search for a failure of one relation.
-struct Search<'a> {
-    proposition: &'a Proposition,
-    points: &'a [Point],
-    number: usize,
-    budget: &'a Budget,
-    settings: &'a Settings,
-}
-
-/// How many failing points the kernel is asked about before the judge gives up on it.
-const KERNEL_TRIES: usize = 6;
-
-impl Search<'_> {
-    fn relation(&self, left: &Formula, relation: Relation, right: &Formula) -> Finding {
-        if self.points.is_empty() {
-            return Finding::because(Verdict::Undecided, "no point of the domain was found");
-        }
-        let mut tally = Tally::default();
-        for point in self.points {
-            let context = Context {
-                point,
-                draws: &self.proposition.draws,
-                budget: self.budget,
-            };
-            tally.add(
-                point,
-                relate(left, relation, right, &context, self.settings.digits),
-            );
-            if tally.two_valued.len() >= KERNEL_TRIES {
-                break;
-            }
-        }
-        let candidates = tally.candidates();
-        if candidates.is_empty() {
-            self.held(tally)
-        } else {
-            self.refute(&candidates)
-        }
-    }
-
-    /// No point failed.
-    fn held(&self, tally: Tally) -> Finding {
-        let extent = Some(Extent {
-            points: tally.held,
-            set_aside: tally.set_aside,
-            digits: self.settings.digits,
-        });
-        let unknown = tally.unknown.len();
-        let mut finding = if tally.held > unknown {
-            Finding::plain(Verdict::Certified)
-        } else if let Some(why) = tally.unknown.first() {
-            Finding::because(
-                Verdict::Undecided,
-                format!("{unknown} points undecided: {why}"),
-            )
-        } else {
-            Finding::because(
-                Verdict::Undecided,
-                "neither side has a value at any point tried",
-            )
-        };
-        finding.extent = extent;
-        finding
-    }
-
-    /// The first candidate that the kernel confirms refutes.
-    fn refute(&self, candidates: &[&Point]) -> Finding {
-        let mut reason = String::new();
-        for point in candidates {
-            let witness = Witness {
-                point: (*point).clone(),
-                link: self.number,
-            };
-            match kernel::check_witness(self.proposition, &witness) {
-                Ok(refutation) => {
-                    return Finding {
-                        witness: Some(Evidence::Checked {
-                            witness,
-                            refutation,
-                        }),
-                        ..Finding::plain(Verdict::Refuted)
-                    };
-                }
-                Err(unknown) => reason = unknown.0,
-            }
-        }
-        Finding::because(
-            Verdict::Undecided,
-            format!("seen to fail, but not checked by the kernel: {reason}"),
-        )
-    }
-}
-
-/// What a relation did at the points so far.
-#[derive(Default)]
-struct Tally<'a> {
-    held: usize,
-    set_aside: usize,
-    /// Points that count neither way: their values would cost too much.
-    too_costly: usize,
-    unknown: Vec<String>,
-    two_valued: Vec<&'a Point>,
-    one_valued: Vec<&'a Point>,
-}
-
-impl<'a> Tally<'a> {
-    fn add(&mut self, point: &'a Point, at: AtPoint) {
-        match at {
-            AtPoint::Holds { .. } => self.held += 1,
-            AtPoint::SetAside => self.set_aside += 1,
-            AtPoint::Unknown(why) => self.unknown.push(why),
-            AtPoint::TooCostly => self.too_costly += 1,
-            AtPoint::Fails { both_valued: true } => self.two_valued.push(point),
-            AtPoint::Fails { both_valued: false } => self.one_valued.push(point),
-        }
-    }
-
-    /// Failing points, those with two values first, the smallest first.
-    fn candidates(&self) -> Vec<&'a Point> {
-        let smallest = |points: &[&'a Point]| {
-            let mut sorted = points.to_vec();
-            sorted.sort_by_cached_key(|point| size(point));
-            sorted.truncate(KERNEL_TRIES);
-            sorted
-        };
-        let mut candidates = smallest(&self.two_valued);
-        candidates.extend(smallest(&self.one_valued));
-        candidates
-    }
-}
-
-/// A definition stands when no duty fails: each is put as a relation of its own.
-fn judge_duties(
-    arguments: &[Name],
-    body: &Formula,
-    duties: &[Duty],
-    proposition: &Proposition,
-    number: usize,
-    budget: &Budget,
-    settings: &Settings,
-) -> Finding {
-    let mut finding = Finding::plain(Verdict::Defined);
-    for (index, duty) in duties.iter().enumerate() {
-        for (duty_proposition, relation) in duty_relations(arguments, body, duty, proposition) {
-            let Statement::Chain { first, links, .. } = &duty_proposition.statement else {
-                continue;
-            };
-            let points = points(&duty_proposition, budget, settings);
-            // The kernel checks the duty on the definition itself; the relation only finds the point.
-            let search = Search {
-                proposition,
-                points: &points,
-                number: number + index,
-                budget,
-                settings,
-            };
-            let found = search.relation(first, relation, &links[0].1);
-            match found.verdict {
-                Verdict::Certified => finding.extent = found.extent,
-                _ => return found,
-            }
-        }
-    }
-    finding
-}
-
-/// The relations that a duty asks for, over the parameters and, where needed, the argument.
-fn duty_relations(
-    arguments: &[Name],
-    body: &Formula,
-    duty: &Duty,
-    proposition: &Proposition,
-) -> Vec<(Proposition, Relation)> {
-    let Some(argument) = arguments.first() else {
-        return Vec::new();
-    };
-    let relation = |first: Formula,
-                    relation: Relation,
-                    right: Formula,
-                    over: bool,
-                    range: (&Formula, &Formula)| {
-        let mut duty_proposition = proposition.clone();
-        if over {
-            duty_proposition.parameters.push(Parameter {
-                name: argument.clone(),
-                kind: ParameterKind::Real,
-            });
-            duty_proposition.domain.push(Condition::Chain(
-                range.0.clone(),
-                vec![
-                    (Relation::LessEqual, Formula::Name(argument.clone())),
-                    (Relation::LessEqual, range.1.clone()),
-                ],
-            ));
-        }
-        duty_proposition.statement = Statement::Chain {
-            first,
-            links: vec![(relation, right)],
-            regime: None,
-        };
-        (duty_proposition, relation)
-    };
-    let at = |place: &Formula| {
-        Formula::At(
-            Box::new(body.clone()),
-            vec![(argument.clone(), place.clone())],
-        )
-    };
-    match duty {
-        Duty::Density(from, to) => {
-            let total = Formula::Ranged(Box::new(Ranged {
-                kind: RangeKind::Integral,
-                body: body.clone(),
-                name: argument.clone(),
-                from: from.clone(),
-                to: to.clone(),
-            }));
-            vec![
-                relation(
-                    total,
-                    Relation::Equal,
-                    Formula::integer(1),
-                    false,
-                    (from, to),
-                ),
-                relation(
-                    body.clone(),
-                    Relation::GreaterEqual,
-                    Formula::integer(0),
-                    true,
-                    (from, to),
-                ),
-            ]
-        }
-        Duty::Cumulative(from, to) => {
-            let slope = Formula::Derivative(
-                Box::new(body.clone()),
-                argument.clone(),
-                Box::new(Formula::integer(1)),
-            );
-            vec![
-                relation(
-                    at(from),
-                    Relation::Equal,
-                    Formula::integer(0),
-                    false,
-                    (from, to),
-                ),
-                relation(
-                    at(to),
-                    Relation::Equal,
-                    Formula::integer(1),
-                    false,
-                    (from, to),
-                ),
-                relation(
-                    slope,
-                    Relation::GreaterEqual,
-                    Formula::integer(0),
-                    true,
-                    (from, to),
-                ),
-            ]
-        }
-        // The book unfolds `agrees ID` to an equation between the two bodies.
-        Duty::Agrees(_) => Vec::new(),
     }
 }

@@ -1,0 +1,159 @@
+//! The search for a point where a relation fails.
+
+use super::Settings;
+use super::finding::{Evidence, Finding};
+use super::points::{Domain, size};
+use super::relate::{AtPoint, relate};
+use super::values::Reach;
+use super::verdict::{Extent, Verdict};
+use crate::evaluate::Context;
+use crate::formula::{Budget, Formula, Point, Proposition, Relation};
+use crate::kernel::{self, Witness};
+
+/// The points that every relation of the proposition is tried at: small ones in order of size, then
+/// random near and far ones, no point twice.
+pub fn points(proposition: &Proposition, budget: &Budget, settings: &Settings) -> Vec<Point> {
+    let domain = Domain::new(proposition, budget);
+    let mut points = domain.small(settings.points, 40 * settings.points);
+    for (reach, share) in [(Reach::Near, 2), (Reach::Far, 8)] {
+        for point in domain.random(settings.points / share, reach, settings.seed) {
+            if !points.contains(&point) {
+                points.push(point);
+            }
+        }
+    }
+    points
+}
+
+/// The search for a failure of one relation.
+pub struct Search<'a> {
+    pub proposition: &'a Proposition,
+    pub points: &'a [Point],
+    /// The number of the relation, as the kernel counts.
+    pub number: usize,
+    pub budget: &'a Budget,
+    pub settings: &'a Settings,
+}
+
+/// How many failing points the kernel is asked about before the judge gives up on it.
+const KERNEL_TRIES: usize = 6;
+
+impl Search<'_> {
+    /// Tries the relation at every point, and asks the kernel about those where it fails.
+    pub fn relation(&self, left: &Formula, relation: Relation, right: &Formula) -> Finding {
+        if self.points.is_empty() {
+            return Finding::because(Verdict::Undecided, "no point of the domain was found");
+        }
+        let mut tally = Tally::default();
+        for point in self.points {
+            let context = Context {
+                point,
+                draws: &self.proposition.draws,
+                budget: self.budget,
+            };
+            tally.add(
+                point,
+                relate(left, relation, right, &context, self.settings.digits),
+            );
+            if tally.two_valued.len() >= KERNEL_TRIES {
+                break;
+            }
+        }
+        let candidates = tally.candidates();
+        if candidates.is_empty() {
+            self.held(tally)
+        } else {
+            self.refute(&candidates)
+        }
+    }
+
+    /// No point failed.
+    fn held(&self, tally: Tally) -> Finding {
+        let extent = Some(Extent {
+            points: tally.held,
+            set_aside: tally.set_aside,
+            digits: self.settings.digits,
+        });
+        let unknown = tally.unknown.len();
+        let mut finding = if tally.held > unknown {
+            Finding::plain(Verdict::Certified)
+        } else if let Some(why) = tally.unknown.first() {
+            Finding::because(
+                Verdict::Undecided,
+                format!("{unknown} points undecided: {why}"),
+            )
+        } else {
+            Finding::because(
+                Verdict::Undecided,
+                "neither side has a value at any point tried",
+            )
+        };
+        finding.extent = extent;
+        finding
+    }
+
+    /// The first candidate that the kernel confirms refutes.
+    fn refute(&self, candidates: &[&Point]) -> Finding {
+        let mut reason = String::new();
+        for point in candidates {
+            let witness = Witness {
+                point: (*point).clone(),
+                link: self.number,
+            };
+            match kernel::check_witness(self.proposition, &witness) {
+                Ok(refutation) => {
+                    return Finding {
+                        witness: Some(Evidence::Checked {
+                            witness,
+                            refutation,
+                        }),
+                        ..Finding::plain(Verdict::Refuted)
+                    };
+                }
+                Err(unknown) => reason = unknown.0,
+            }
+        }
+        Finding::because(
+            Verdict::Undecided,
+            format!("seen to fail, but not checked by the kernel: {reason}"),
+        )
+    }
+}
+
+/// What a relation did at the points so far.
+#[derive(Default)]
+struct Tally<'a> {
+    held: usize,
+    set_aside: usize,
+    /// Points that count neither way: their values would cost too much.
+    too_costly: usize,
+    unknown: Vec<String>,
+    two_valued: Vec<&'a Point>,
+    one_valued: Vec<&'a Point>,
+}
+
+impl<'a> Tally<'a> {
+    fn add(&mut self, point: &'a Point, at: AtPoint) {
+        match at {
+            AtPoint::Holds { .. } => self.held += 1,
+            AtPoint::SetAside => self.set_aside += 1,
+            AtPoint::Unknown(why) => self.unknown.push(why),
+            AtPoint::TooCostly => self.too_costly += 1,
+            AtPoint::Fails { both_valued: true } => self.two_valued.push(point),
+            AtPoint::Fails { both_valued: false } => self.one_valued.push(point),
+        }
+    }
+
+    /// Failing points, those with two values first, the smallest first.
+    fn candidates(&self) -> Vec<&'a Point> {
+        let smallest = |points: &[&'a Point]| {
+            let mut sorted = points.to_vec();
+            sorted.sort_by_cached_key(|point| size(point));
+            sorted.truncate(KERNEL_TRIES);
+            sorted
+        };
+        let mut candidates = smallest(&self.two_valued);
+        candidates.extend(smallest(&self.one_valued));
+        candidates
+    }
+}
