@@ -254,13 +254,13 @@ fn check(case: &Case) -> bool {
         &budget,
     );
     println!("{text}\n    {verdict:?} in {:?}", start.elapsed());
-    let fits = match (&verdict, case.truth) {
-        (Ok(ExpansionVerdict::Holds { .. }), Truth::Holds) => true,
-        (Ok(ExpansionVerdict::Fails { .. }), Truth::Fails) => true,
-        (Ok(ExpansionVerdict::Vacuous { .. }), Truth::Vacuous) => true,
-        (Err(_), Truth::OpenTrue | Truth::OpenFalse | Truth::Open) => true,
-        _ => false,
-    };
+    let fits = matches!(
+        (&verdict, case.truth),
+        (Ok(ExpansionVerdict::Holds { .. }), Truth::Holds)
+            | (Ok(ExpansionVerdict::Fails { .. }), Truth::Fails)
+            | (Ok(ExpansionVerdict::Vacuous { .. }), Truth::Vacuous)
+            | (Err(_), Truth::OpenTrue | Truth::OpenFalse | Truth::Open)
+    );
     assert!(fits, "{text}\n    should be {:?}: {verdict:?}", case.truth);
     let mut fixed = Point::default();
     let (path, witness) = match &verdict {
