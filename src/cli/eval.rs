@@ -27,7 +27,7 @@ pub(super) struct Eval {
         value_parser = clap::value_parser!(u32).range(1..=100_000))]
     digits: u32,
     /// Counted steps that may be spent
-    #[arg(long, value_name = "N", default_value_t = 1_000_000_000)]
+    #[arg(long, value_name = "N", default_value_t = 30_000_000)]
     budget: u64,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -57,6 +57,11 @@ impl Eval {
         let settings = settings
             .map(|set| setting(set, &budget))
             .collect::<Result<Vec<_>, _>>()?;
+        for (index, (name, _)) in settings.iter().enumerate() {
+            if settings[..index].iter().any(|(other, _)| other == name) {
+                return Err(Failure::input(&format!("`{name}` is set twice"), None));
+            }
+        }
         let draws = self
             .draw
             .iter()
