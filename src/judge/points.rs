@@ -16,6 +16,9 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use std::collections::BTreeMap;
 
+/// How often a point is sought that has a given value of one parameter.
+const MARK_TRIES: usize = 4;
+
 /// How far random values reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
@@ -136,7 +139,7 @@ impl<'a> Domain<'a> {
             if found.len() >= count {
                 break;
             }
-            if let Some(point) = self.draw_point(reach, &mut rng) {
+            if let Some(point) = self.draw_point(reach, None, &mut rng) {
                 let pick = rng.random_range(0..FUNCTIONS);
                 let before = found.len();
                 self.with_functions_from(point, &mut found, before + 1, pick);
@@ -204,22 +207,56 @@ impl<'a> Domain<'a> {
         }
     }
 
-    fn draw_point(&self, reach: Reach, rng: &mut Xoshiro256PlusPlus) -> Option<Point> {
+    /// Random points at which one parameter has one of the values: a statement's own constants are
+    /// where its pieces meet and its bounds end.
+    pub fn marked(&self, values: &[Rational], seed: u64) -> Vec<Point> {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut found: Vec<Point> = Vec::new();
+        if !self.closed_holds() {
+            return found;
+        }
+        for (step, value) in self
+            .steps
+            .iter()
+            .flat_map(|step| values.iter().map(move |value| (step, value)))
+        {
+            let near = |rng: &mut _| self.draw_point(Reach::Near, Some((step.name, value)), rng);
+            if let Some(point) = (0..MARK_TRIES).find_map(|_| near(&mut rng)) {
+                let pick = rng.random_range(0..FUNCTIONS);
+                let most = found.len() + 1;
+                self.with_functions_from(point, &mut found, most, pick);
+            }
+        }
+        found
+    }
+
+    /// A random point; `marked` parameter and value are part of it.
+    fn draw_point(
+        &self,
+        reach: Reach,
+        marked: Option<(&Name, &Rational)>,
+        rng: &mut Xoshiro256PlusPlus,
+    ) -> Option<Point> {
         let mut point = Point::default();
         for step in &self.steps {
             let bounds = self.bounds(step, &point);
             let mut settled = false;
             for _ in 0..6 {
-                let value = if step.integer {
+                let value = if let Some((_, value)) = marked.filter(|(name, _)| *name == step.name)
+                {
+                    value.clone()
+                } else if step.integer {
                     random_integer(&bounds, reach, rng)?
                 } else {
                     random_rational(&bounds, reach, rng)
                 };
                 point.numbers.insert(step.name.clone(), value);
-                if step
-                    .ready
-                    .iter()
-                    .all(|relating| self.holds(relating.condition(), &point))
+                let fits = !step.integer || point.numbers[step.name].is_integer();
+                if fits
+                    && step
+                        .ready
+                        .iter()
+                        .all(|relating| self.holds(relating.condition(), &point))
                 {
                     settled = true;
                     break;
@@ -295,7 +332,7 @@ impl<'a> Domain<'a> {
             else {
                 return;
             };
-            let polynomial = POLYNOMIALS[(pick + 2 * index) % FUNCTIONS];
+            let sample = &SAMPLES[(pick + 2 * index) % FUNCTIONS];
             let body = match kind {
                 FunctionKind::Density => {
                     let (Some(from), Some(to)) =
@@ -306,12 +343,13 @@ impl<'a> Domain<'a> {
                     if from >= to {
                         return;
                     }
-                    density(argument, polynomial, &from, &to)
+                    density(argument, sample, &from, &to)
                 }
-                _ => horner(
-                    argument,
-                    &polynomial.map(|c| Rational::from_integer(c.into())),
-                    &Rational::zero(),
+                _ => powers(
+                    &Formula::Name(argument.clone()),
+                    &sample
+                        .coefficients
+                        .map(|c| Rational::from_integer(c.into())),
                 ),
             };
             point
@@ -324,30 +362,50 @@ impl<'a> Domain<'a> {
     }
 }
 
-/// Coefficients, constant term first, of the polynomials that function parameters are tried with.
-/// For densities they multiply powers of the distance to the lower end, in absolute value.
-const POLYNOMIALS: [[i64; 4]; FUNCTIONS] = [
-    [0, 1, 0, 0],
-    [1, 0, 0, 0],
-    [1, 2, 0, 0],
-    [0, 0, 1, 0],
-    [2, -1, 3, 0],
-    [1, 1, -2, 1],
-];
-const FUNCTIONS: usize = 6;
+/// A function that parameters are tried with: coefficients, constant term first, of a polynomial. For
+/// a density they are taken in absolute value and multiply powers of the distance to an origin.
+struct Sample {
+    coefficients: [i64; DEGREE + 1],
+    origin: Origin,
+}
 
-/// The formula of `sum c_i (argument - shift)^i`.
-fn horner(argument: &Name, coefficients: &[Rational; 4], shift: &Rational) -> Formula {
-    use crate::formula::Operator::{Add, Multiply, Power, Subtract};
-    let base = if shift.is_zero() {
-        Formula::Name(argument.clone())
-    } else {
-        Formula::binary(
-            Subtract,
-            Formula::Name(argument.clone()),
-            Formula::Number(shift.clone()),
-        )
-    };
+/// From where the distance counts of which a density is a polynomial.
+#[derive(Clone, Copy)]
+enum Origin {
+    Lower,
+    Upper,
+    /// Even powers only.
+    Middle,
+}
+
+/// Rules that are exact for cubics, such as Simpson's, hold for no polynomial of a higher degree.
+const DEGREE: usize = 5;
+
+const fn sample(coefficients: [i64; DEGREE + 1], origin: Origin) -> Sample {
+    Sample {
+        coefficients,
+        origin,
+    }
+}
+
+/// Among the densities there must be falling ones as well as rising ones, and one that is not monotone.
+const SAMPLES: [Sample; FUNCTIONS] = [
+    sample([0, 1, 0, 0, 0, 0], Origin::Lower),
+    sample([1, 0, 0, 0, 0, 0], Origin::Lower),
+    sample([1, 2, 0, 0, 0, 0], Origin::Lower),
+    sample([0, 0, 1, 0, 0, 0], Origin::Lower),
+    sample([0, 2, 0, 0, 0, 0], Origin::Upper),
+    sample([2, -1, 3, 0, 0, 0], Origin::Lower),
+    sample([1, 1, -2, 1, 0, 0], Origin::Lower),
+    sample([0, 0, 3, 0, 0, 0], Origin::Middle),
+    sample([-3, 0, 0, 0, 5, 0], Origin::Upper),
+    sample([3, -2, 0, 5, 1, -40], Origin::Lower),
+];
+const FUNCTIONS: usize = 10;
+
+/// The formula of `sum c_i base^i`.
+fn powers(base: &Formula, coefficients: &[Rational]) -> Formula {
+    use crate::formula::Operator::{Add, Multiply, Power};
     let mut sum: Option<Formula> = None;
     for (power, coefficient) in coefficients.iter().enumerate() {
         if coefficient.is_zero() {
@@ -371,18 +429,40 @@ fn horner(argument: &Name, coefficients: &[Rational; 4], shift: &Rational) -> Fo
     sum.unwrap_or_else(|| Formula::integer(0))
 }
 
-/// A density between `from` and `to`: nonnegative coefficients in the distance to `from`, divided by
-/// the integral.
-fn density(argument: &Name, polynomial: [i64; 4], from: &Rational, to: &Rational) -> Formula {
-    let width = to - from;
+/// A density between `from` and `to`: nonnegative coefficients in a distance, divided by the integral.
+fn density(argument: &Name, sample: &Sample, from: &Rational, to: &Rational) -> Formula {
+    use crate::formula::Operator::Subtract;
+    let name = Formula::Name(argument.clone());
+    let number = |value: &Rational| Formula::Number(value.clone());
+    let two = Rational::from_integer(2.into());
+    let (base, reach, sides) = match sample.origin {
+        Origin::Lower if from.is_zero() => (name, to - from, Rational::one()),
+        Origin::Lower => (
+            Formula::binary(Subtract, name, number(from)),
+            to - from,
+            Rational::one(),
+        ),
+        Origin::Upper => (
+            Formula::binary(Subtract, number(to), name),
+            to - from,
+            Rational::one(),
+        ),
+        Origin::Middle => {
+            let middle = (from + to) / &two;
+            let base = Formula::binary(Subtract, name, number(&middle));
+            (base, (to - from) / &two, two)
+        }
+    };
     let mut integral = Rational::zero();
-    let mut power = width.clone();
-    for (i, coefficient) in polynomial.iter().enumerate() {
+    let mut power = reach.clone() * sides;
+    for (i, coefficient) in sample.coefficients.iter().enumerate() {
         integral += Rational::new(coefficient.abs().into(), BigInt::from(i + 1)) * &power;
-        power *= &width;
+        power *= &reach;
     }
-    let scaled = polynomial.map(|c| Rational::from_integer(c.abs().into()) / &integral);
-    horner(argument, &scaled, from)
+    let scaled = sample
+        .coefficients
+        .map(|c| Rational::from_integer(c.abs().into()) / &integral);
+    powers(&base, &scaled)
 }
 
 impl Bounds {

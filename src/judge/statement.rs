@@ -7,11 +7,12 @@ use super::relate::{AtPoint, relate};
 use super::verdict::{Extent, Verdict};
 use crate::evaluate::Context;
 use crate::formula::{
-    Budget, Condition, Duty, Formula, Name, Parameter, ParameterKind, Point, Proposition,
-    RangeKind, Ranged, Regime, Relation, Statement,
+    self, Budget, Condition, Duty, Formula, Name, Parameter, ParameterKind, Point, Proposition,
+    RangeKind, Ranged, Rational, Regime, Relation, Statement, TooLarge, free_names, substitute,
 };
 use crate::kernel::{self, Refutation, Witness};
 use crate::prover::{ExpansionVerdict, judge_expansion};
+use std::collections::BTreeSet;
 
 /// What was found out about one part of a statement, or about the whole.
 #[derive(Debug)]
@@ -158,14 +159,45 @@ pub fn holds_at(
 fn points(proposition: &Proposition, budget: &Budget, settings: &Settings) -> Vec<Point> {
     let domain = Domain::new(proposition, budget);
     let mut points = domain.small(settings.points, 40 * settings.points);
-    for (reach, share) in [(Reach::Near, 2), (Reach::Far, 8)] {
-        for point in domain.random(settings.points / share, reach, settings.seed) {
-            if !points.contains(&point) {
-                points.push(point);
-            }
+    let random = [(Reach::Near, 2), (Reach::Far, 8)];
+    let random = random
+        .into_iter()
+        .flat_map(|(reach, share)| domain.random(settings.points / share, reach, settings.seed));
+    let marks = marks(&proposition.statement);
+    for point in random.chain(domain.marked(&marks, settings.seed)) {
+        if !points.contains(&point) {
+            points.push(point);
         }
     }
     points
+}
+
+/// So many of a statement's constants are tried.
+const MAX_MARKS: usize = 24;
+
+/// The constants of a statement beyond the smallest, which are tried anyway, and their neighbours.
+fn marks(statement: &Statement) -> Vec<Rational> {
+    let mut constants = BTreeSet::new();
+    for part in parts(statement) {
+        if let Part::Relation { left, right, .. } = part {
+            collect_constants(formula::Part::Formula(left), &mut constants);
+            collect_constants(formula::Part::Formula(right), &mut constants);
+        }
+    }
+    let one = Rational::from_integer(1.into());
+    let small = Rational::from_integer(12.into());
+    let marked = constants
+        .iter()
+        .filter(|value| !value.is_integer() || **value > small)
+        .flat_map(|value| [value.clone(), -value, value + &one, value - &one]);
+    marked.take(MAX_MARKS).collect()
+}
+
+fn collect_constants(part: formula::Part, found: &mut BTreeSet<Rational>) {
+    if let formula::Part::Formula(Formula::Number(value)) = part {
+        found.insert(value.clone());
+    }
+    part.each(&mut |inner, _| collect_constants(inner, found));
 }
 
 fn parts(statement: &Statement) -> Vec<Part<'_>> {
@@ -339,7 +371,7 @@ fn expansion_finding(verdict: ExpansionVerdict) -> Finding {
             Finding {
                 witness: Some(Evidence::Series {
                     point,
-                    claimed: format!("O({claimed})"),
+                    claimed,
                     found,
                 }),
                 ..Finding::plain(Verdict::Refuted)
@@ -397,7 +429,8 @@ impl Search<'_> {
             digits: self.settings.digits,
         });
         let unknown = tally.unknown.len();
-        let mut finding = if tally.held > unknown {
+        // One point that nobody can tell may be the one where the statement fails.
+        let mut finding = if tally.held > 0 && unknown == 0 {
             Finding::plain(Verdict::Certified)
         } else if let Some(why) = tally.unknown.first() {
             Finding::because(
@@ -414,12 +447,22 @@ impl Search<'_> {
         finding
     }
 
+    /// The point without the place of a definition's range: the kernel finds places by itself.
+    fn parameters_of(&self, point: &Point) -> Point {
+        let mut point = point.clone();
+        let parameters = &self.proposition.parameters;
+        point
+            .numbers
+            .retain(|name, _| parameters.iter().any(|parameter| parameter.name == *name));
+        point
+    }
+
     /// The first candidate that the kernel confirms refutes.
     fn refute(&self, candidates: &[&Point]) -> Finding {
         let mut reason = String::new();
         for point in candidates {
             let witness = Witness {
-                point: (*point).clone(),
+                point: self.parameters_of(point),
                 link: self.number,
             };
             match kernel::check_witness(self.proposition, &witness) {
@@ -491,8 +534,16 @@ fn judge_duties(
     settings: &Settings,
 ) -> Finding {
     let mut finding = Finding::plain(Verdict::Defined);
+    if arguments.len() != 1 && !duties.is_empty() {
+        let reason = "a duty of a definition without exactly one argument";
+        return Finding::because(Verdict::Undecided, reason);
+    }
     for (index, duty) in duties.iter().enumerate() {
-        for (duty_proposition, relation) in duty_relations(arguments, body, duty, proposition) {
+        let relations = match duty_relations(arguments, body, duty, proposition) {
+            Ok(relations) => relations,
+            Err(too_large) => return Finding::because(Verdict::Undecided, too_large.to_string()),
+        };
+        for (duty_proposition, relation) in relations {
             let Statement::Chain { first, links, .. } = &duty_proposition.statement else {
                 continue;
             };
@@ -512,6 +563,10 @@ fn judge_duties(
             }
         }
     }
+    if duties.iter().any(|duty| matches!(duty, Duty::Agrees(_))) {
+        let reason = "no method for the agreement with another claim: state it as an equation";
+        return Finding::because(Verdict::Undecided, reason);
+    }
     finding
 }
 
@@ -521,10 +576,14 @@ fn duty_relations(
     body: &Formula,
     duty: &Duty,
     proposition: &Proposition,
-) -> Vec<(Proposition, Relation)> {
+) -> Result<Vec<(Proposition, Relation)>, TooLarge> {
     let Some(argument) = arguments.first() else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
+    // The argument is bound: a parameter of that name is another, and keeps its own domain.
+    let place = place_name(argument, body, proposition);
+    let moved = [(argument.clone(), Formula::Name(place.clone()))];
+    let (body, argument) = (&substitute(body, &moved)?, &place);
     let relation = |first: Formula,
                     relation: Relation,
                     right: Formula,
@@ -538,9 +597,10 @@ fn duty_relations(
             });
             duty_proposition.domain.push(Condition::Chain(
                 range.0.clone(),
+                // Inside of the range: at an end a density may have a pole and a cdf no slope.
                 vec![
-                    (Relation::LessEqual, Formula::Name(argument.clone())),
-                    (Relation::LessEqual, range.1.clone()),
+                    (Relation::Less, Formula::Name(argument.clone())),
+                    (Relation::Less, range.1.clone()),
                 ],
             ));
         }
@@ -557,7 +617,7 @@ fn duty_relations(
             vec![(argument.clone(), place.clone())],
         )
     };
-    match duty {
+    Ok(match duty {
         Duty::Density(from, to) => {
             let total = Formula::Ranged(Box::new(Ranged {
                 kind: RangeKind::Integral,
@@ -613,7 +673,23 @@ fn duty_relations(
                 ),
             ]
         }
-        // The book unfolds `agrees ID` to an equation between the two bodies.
+        // No relation at a point: `judge_duties` answers.
         Duty::Agrees(_) => Vec::new(),
+    })
+}
+
+/// A name for the places of a definition's range that nothing else has.
+fn place_name(argument: &Name, body: &Formula, proposition: &Proposition) -> Name {
+    let mut name: Name = format!("{argument}'").into();
+    let inside = free_names(body);
+    let parameters = proposition.parameters.iter();
+    let taken: Vec<&Name> = parameters
+        .map(|parameter| &parameter.name)
+        .chain(proposition.draws.iter().map(|draw| &draw.name))
+        .chain(&inside)
+        .collect();
+    while taken.contains(&&name) {
+        name = format!("{name}'").into();
     }
+    name
 }
