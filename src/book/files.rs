@@ -52,8 +52,9 @@ fn entries(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
             .file_name()
             .and_then(|name| name.to_str())
             .unwrap_or("");
-        let folder = path.is_dir() && name != "certificates";
-        let chapter = path.extension().is_some_and(|ending| ending == "md");
+        // A linked folder is neither: `chapters` says why.
+        let folder = path.is_dir() && !path.is_symlink() && name != "certificates";
+        let chapter = path.extension().is_some_and(|ending| ending == "md") && !path.is_dir();
         if !name.starts_with('.') && (folder || chapter) {
             found.push(path);
         }

@@ -58,6 +58,11 @@ impl Eval {
         let settings = settings
             .map(|set| setting(set, &budget))
             .collect::<Result<Vec<_>, _>>()?;
+        for (index, (name, _)) in settings.iter().enumerate() {
+            if settings[..index].iter().any(|(other, _)| other == name) {
+                return Err(Failure::input(&format!("`{name}` is set twice"), None));
+            }
+        }
         let draws = self
             .draw
             .iter()

@@ -2,13 +2,15 @@
 //! and cdfs of draws. The draws become symbols; each is then integrated against its law's weight.
 
 use super::exact::{Evaluation, negate, number, value};
+use super::fraction::Fraction;
 use super::law::{self, Weight};
 use super::pieces::{self, Piece};
-use super::quantity::{Quantity, Symbol};
+use super::quantity::{Quantity, Separable, Symbol, Term};
 use super::range::{add_pieces, sampled_at, unsampled};
 use super::scope::Scope;
-use super::{Failure, Outcome, condition, integrate, outcome, unsupported};
-use crate::formula::{Condition, Draw, Formula, Part, Relation};
+use super::sign::{self, Sign};
+use super::{Failure, Outcome, closed, condition, integrate, outcome, unsupported};
+use crate::formula::{Budget, Condition, Draw, Formula, Part, Relation};
 use rug::Rational;
 
 use Outcome::{PlusInfinity, Undefined, Value};
@@ -127,6 +129,11 @@ impl Body<'_> {
     /// The mean over all draws, one after the other: they are independent.
     fn mean_of_function(&self, body: Quantity, weights: &[Weight], scope: &Scope) -> Evaluation {
         let budget = scope.budget();
+        if let Quantity::Open(function) = &body
+            && let Some(divergent) = self.divergence(function, weights, budget)?
+        {
+            return Ok(divergent);
+        }
         let mut total = Value(body);
         for (symbol, weight) in self.symbols.iter().zip(weights) {
             total = total.finite("a mean over several draws", |body| {
@@ -138,6 +145,73 @@ impl Body<'_> {
             })?;
         }
         Ok(total)
+    }
+}
+
+impl Body<'_> {
+    /// What a mean over several draws is that does not converge absolutely; `None` where it does. One
+    /// draw after the other may be integrated then only: in `(x - 1/2)/y` the mean over x alone
+    /// would be 0 and hide that the one over y diverges.
+    fn divergence(
+        &self,
+        function: &Separable,
+        weights: &[Weight],
+        budget: &Budget,
+    ) -> Result<Option<Outcome<Quantity>>, Failure> {
+        let mentioned = |symbol: &&Symbol| function.mentions(**symbol);
+        if self.symbols.iter().filter(mentioned).count() < 2 {
+            return Ok(None);
+        }
+        for term in &function.terms {
+            let mut finite = true;
+            for (factor, weight) in self.factors(term, weights) {
+                finite &= matches!(weight.mean(factor, budget)?, Value(_));
+            }
+            if finite {
+                continue;
+            }
+            if function.terms.len() > 1 || self.factors(term, weights).count() < term.factors.len()
+            {
+                return Err(unsupported("a divergent mean among other terms"));
+            }
+            return self.divergent(term, weights, budget).map(Some);
+        }
+        Ok(None)
+    }
+
+    /// The factors of a term that belong to the draws, with the draws' weights.
+    fn factors<'f>(
+        &'f self,
+        term: &'f Term,
+        weights: &'f [Weight],
+    ) -> impl Iterator<Item = (&'f Fraction, &'f Weight)> {
+        let pairs = self.symbols.iter().zip(weights);
+        pairs.filter_map(|(symbol, weight)| Some((term.factors.get(symbol)?, weight)))
+    }
+
+    /// A mean that diverges is infinite where every factor keeps one sign: the factors are
+    /// independent, and the mean of none of them is zero. A factor of both signs leaves no value.
+    fn divergent(
+        &self,
+        term: &Term,
+        weights: &[Weight],
+        budget: &Budget,
+    ) -> Result<Outcome<Quantity>, Failure> {
+        let mut negative = closed::sign(&term.coefficient)?.is_lt();
+        let mut unknown = false;
+        for (factor, weight) in self.factors(term, weights) {
+            match sign::on(factor, &weight.from(), &weight.to(), budget)? {
+                Sign::Mixed => return Ok(Undefined),
+                Sign::NonPositive => negative = !negative,
+                Sign::NonNegative => {}
+                Sign::Unknown => unknown = true,
+            }
+        }
+        integrate::infinite(match (unknown, negative) {
+            (true, _) => Sign::Unknown,
+            (false, true) => Sign::NonPositive,
+            (false, false) => Sign::NonNegative,
+        })
     }
 }
 

@@ -6,7 +6,7 @@ use super::search::{Search, points};
 use super::verdict::Verdict;
 use crate::formula::{
     Budget, Condition, Duty, Formula, Name, Parameter, ParameterKind, Proposition, RangeKind,
-    Ranged, Relation, Statement,
+    Ranged, Relation, Statement, TooLarge, free_names, substitute,
 };
 
 /// A definition stands when no duty fails: each is put as a relation of its own.
@@ -20,8 +20,16 @@ pub fn judge_duties(
     settings: &Settings,
 ) -> Finding {
     let mut finding = Finding::plain(Verdict::Defined);
+    if arguments.len() != 1 && !duties.is_empty() {
+        let reason = "a duty of a definition without exactly one argument";
+        return Finding::because(Verdict::Undecided, reason);
+    }
     for (index, duty) in duties.iter().enumerate() {
-        for (duty_proposition, relation) in duty_relations(arguments, body, duty, proposition) {
+        let relations = match duty_relations(arguments, body, duty, proposition) {
+            Ok(relations) => relations,
+            Err(too_large) => return Finding::because(Verdict::Undecided, too_large.to_string()),
+        };
+        for (duty_proposition, relation) in relations {
             let Statement::Chain { first, links, .. } = &duty_proposition.statement else {
                 continue;
             };
@@ -41,6 +49,10 @@ pub fn judge_duties(
             }
         }
     }
+    if duties.iter().any(|duty| matches!(duty, Duty::Agrees(_))) {
+        let reason = "no method for the agreement with another claim: state it as an equation";
+        return Finding::because(Verdict::Undecided, reason);
+    }
     finding
 }
 
@@ -50,10 +62,14 @@ fn duty_relations(
     body: &Formula,
     duty: &Duty,
     proposition: &Proposition,
-) -> Vec<(Proposition, Relation)> {
+) -> Result<Vec<(Proposition, Relation)>, TooLarge> {
     let Some(argument) = arguments.first() else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
+    // The argument is bound: a parameter of that name is another, and keeps its own domain.
+    let place = place_name(argument, body, proposition);
+    let moved = [(argument.clone(), Formula::Name(place.clone()))];
+    let (body, argument) = (&substitute(body, &moved)?, &place);
     let relation = |first: Formula,
                     relation: Relation,
                     right: Formula,
@@ -67,9 +83,10 @@ fn duty_relations(
             });
             duty_proposition.domain.push(Condition::Chain(
                 range.0.clone(),
+                // Inside of the range: at an end a density may have a pole and a cdf no slope.
                 vec![
-                    (Relation::LessEqual, Formula::Name(argument.clone())),
-                    (Relation::LessEqual, range.1.clone()),
+                    (Relation::Less, Formula::Name(argument.clone())),
+                    (Relation::Less, range.1.clone()),
                 ],
             ));
         }
@@ -86,7 +103,7 @@ fn duty_relations(
             vec![(argument.clone(), place.clone())],
         )
     };
-    match duty {
+    Ok(match duty {
         Duty::Density(from, to) => {
             let total = Formula::Ranged(Box::new(Ranged {
                 kind: RangeKind::Integral,
@@ -142,7 +159,23 @@ fn duty_relations(
                 ),
             ]
         }
-        // The book unfolds `agrees ID` to an equation between the two bodies.
+        // No relation at a point: `judge_duties` answers.
         Duty::Agrees(_) => Vec::new(),
+    })
+}
+
+/// A name for the places of a definition's range that nothing else has.
+fn place_name(argument: &Name, body: &Formula, proposition: &Proposition) -> Name {
+    let mut name: Name = format!("{argument}'").into();
+    let inside = free_names(body);
+    let parameters = proposition.parameters.iter();
+    let taken: Vec<&Name> = parameters
+        .map(|parameter| &parameter.name)
+        .chain(proposition.draws.iter().map(|draw| &draw.name))
+        .chain(&inside)
+        .collect();
+    while taken.contains(&&name) {
+        name = format!("{name}'").into();
     }
+    name
 }

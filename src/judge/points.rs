@@ -16,6 +16,9 @@ use rand::RngExt;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 
+/// How often a point is sought that has a given value of one parameter.
+const MARK_TRIES: usize = 4;
+
 /// The domain of a proposition, prepared for the search of its points.
 pub struct Domain<'a> {
     steps: Vec<Step<'a>>,
@@ -120,7 +123,7 @@ impl<'a> Domain<'a> {
             if found.len() >= count {
                 break;
             }
-            if let Some(point) = self.draw_point(reach, &mut rng) {
+            if let Some(point) = self.draw_point(reach, None, &mut rng) {
                 let pick = rng.random_range(0..functions::COUNT);
                 let before = found.len();
                 self.with_functions_from(point, &mut found, before + 1, pick);
@@ -188,22 +191,56 @@ impl<'a> Domain<'a> {
         }
     }
 
-    fn draw_point(&self, reach: Reach, rng: &mut Xoshiro256PlusPlus) -> Option<Point> {
+    /// Random points at which one parameter has one of the values: a statement's own constants are
+    /// where its pieces meet and its bounds end.
+    pub fn marked(&self, values: &[Rational], seed: u64) -> Vec<Point> {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut found: Vec<Point> = Vec::new();
+        if !self.closed_holds() {
+            return found;
+        }
+        for (step, value) in self
+            .steps
+            .iter()
+            .flat_map(|step| values.iter().map(move |value| (step, value)))
+        {
+            let near = |rng: &mut _| self.draw_point(Reach::Near, Some((step.name, value)), rng);
+            if let Some(point) = (0..MARK_TRIES).find_map(|_| near(&mut rng)) {
+                let pick = rng.random_range(0..functions::COUNT);
+                let most = found.len() + 1;
+                self.with_functions_from(point, &mut found, most, pick);
+            }
+        }
+        found
+    }
+
+    /// A random point; `marked` parameter and value are part of it.
+    fn draw_point(
+        &self,
+        reach: Reach,
+        marked: Option<(&Name, &Rational)>,
+        rng: &mut Xoshiro256PlusPlus,
+    ) -> Option<Point> {
         let mut point = Point::default();
         for step in &self.steps {
             let bounds = self.bounds(step, &point);
             let mut settled = false;
             for _ in 0..6 {
-                let value = if step.integer {
+                let value = if let Some((_, value)) = marked.filter(|(name, _)| *name == step.name)
+                {
+                    value.clone()
+                } else if step.integer {
                     random_integer(&bounds, reach, rng)?
                 } else {
                     random_rational(&bounds, reach, rng)
                 };
                 point.numbers.insert(step.name.clone(), value);
-                if step
-                    .ready
-                    .iter()
-                    .all(|relating| self.holds(relating.condition(), &point))
+                let fits = !step.integer || point.numbers[step.name].is_integer();
+                if fits
+                    && step
+                        .ready
+                        .iter()
+                        .all(|relating| self.holds(relating.condition(), &point))
                 {
                     settled = true;
                     break;

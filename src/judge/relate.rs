@@ -16,7 +16,7 @@ pub enum AtPoint {
     SetAside,
     /// Nobody can tell, and why.
     Unknown(String),
-    /// The values cost more steps than one point may take.
+    /// The values cost more steps or larger numbers than one point may take.
     TooCostly,
 }
 
@@ -112,7 +112,8 @@ fn relate_enclosed(
                 }
             }
             (Ok(a), Ok(b)) => return relate_special(&a, relation, &b),
-            (Err(Failure::Exhausted), _) | (_, Err(Failure::Exhausted)) => {
+            (Err(Failure::Exhausted | Failure::TooLarge(_)), _)
+            | (_, Err(Failure::Exhausted | Failure::TooLarge(_))) => {
                 return AtPoint::TooCostly;
             }
             (Err(Failure::Undecided(why)), _) | (_, Err(Failure::Undecided(why))) => reason = why,

@@ -4,25 +4,56 @@ use super::Settings;
 use super::finding::{Evidence, Finding};
 use super::points::{Domain, size};
 use super::relate::{AtPoint, relate};
+use super::statement::relations;
 use super::values::Reach;
 use super::verdict::{Extent, Verdict};
 use crate::evaluate::Context;
-use crate::formula::{Budget, Formula, Point, Proposition, Relation};
+use crate::formula::{Budget, Formula, Part, Point, Proposition, Rational, Relation, Statement};
 use crate::kernel::{self, Witness};
+use std::collections::BTreeSet;
 
 /// The points that every relation of the proposition is tried at: small ones in order of size, then
 /// random near and far ones, no point twice.
 pub fn points(proposition: &Proposition, budget: &Budget, settings: &Settings) -> Vec<Point> {
     let domain = Domain::new(proposition, budget);
     let mut points = domain.small(settings.points, 40 * settings.points);
-    for (reach, share) in [(Reach::Near, 2), (Reach::Far, 8)] {
-        for point in domain.random(settings.points / share, reach, settings.seed) {
-            if !points.contains(&point) {
-                points.push(point);
-            }
+    let random = [(Reach::Near, 2), (Reach::Far, 8)];
+    let random = random
+        .into_iter()
+        .flat_map(|(reach, share)| domain.random(settings.points / share, reach, settings.seed));
+    let marks = marks(&proposition.statement);
+    for point in random.chain(domain.marked(&marks, settings.seed)) {
+        if !points.contains(&point) {
+            points.push(point);
         }
     }
     points
+}
+
+/// So many of a statement's constants are tried.
+const MAX_MARKS: usize = 24;
+
+/// The constants of a statement beyond the smallest, which are tried anyway, and their neighbours.
+fn marks(statement: &Statement) -> Vec<Rational> {
+    let mut constants = BTreeSet::new();
+    for (left, right) in relations(statement) {
+        collect_constants(Part::Formula(left), &mut constants);
+        collect_constants(Part::Formula(right), &mut constants);
+    }
+    let one = Rational::from_integer(1.into());
+    let small = Rational::from_integer(12.into());
+    let marked = constants
+        .iter()
+        .filter(|value| !value.is_integer() || **value > small)
+        .flat_map(|value| [value.clone(), -value, value + &one, value - &one]);
+    marked.take(MAX_MARKS).collect()
+}
+
+fn collect_constants(part: Part, found: &mut BTreeSet<Rational>) {
+    if let Part::Formula(Formula::Number(value)) = part {
+        found.insert(value.clone());
+    }
+    part.each(&mut |inner, _| collect_constants(inner, found));
 }
 
 /// The search for a failure of one relation.
@@ -75,7 +106,8 @@ impl Search<'_> {
             digits: self.settings.digits,
         });
         let unknown = tally.unknown.len();
-        let mut finding = if tally.held > unknown {
+        // One point that nobody can tell may be the one where the statement fails.
+        let mut finding = if tally.held > 0 && unknown == 0 {
             Finding::plain(Verdict::Certified)
         } else if let Some(why) = tally.unknown.first() {
             Finding::because(
@@ -92,12 +124,22 @@ impl Search<'_> {
         finding
     }
 
+    /// The point without the place of a definition's range: the kernel finds places by itself.
+    fn parameters_of(&self, point: &Point) -> Point {
+        let mut point = point.clone();
+        let parameters = &self.proposition.parameters;
+        point
+            .numbers
+            .retain(|name, _| parameters.iter().any(|parameter| parameter.name == *name));
+        point
+    }
+
     /// The first candidate that the kernel confirms refutes.
     fn refute(&self, candidates: &[&Point]) -> Finding {
         let mut reason = String::new();
         for point in candidates {
             let witness = Witness {
-                point: (*point).clone(),
+                point: self.parameters_of(point),
                 link: self.number,
             };
             match kernel::check_witness(self.proposition, &witness) {

@@ -142,6 +142,15 @@ fn parts(statement: &Statement) -> Vec<Part<'_>> {
     }
 }
 
+/// The two sides of each relation of a statement that can be tried at a point.
+pub fn relations(statement: &Statement) -> Vec<(&Formula, &Formula)> {
+    let sides = |part| match part {
+        Part::Relation { left, right, .. } => Some((left, right)),
+        _ => None,
+    };
+    parts(statement).into_iter().filter_map(sides).collect()
+}
+
 /// Whether a link speaks of a limit.
 pub fn is_expansion(relation: Relation, right: &Formula) -> bool {
     matches!(relation, Relation::Asymptotic | Relation::Approximate) || has_order_term(right)

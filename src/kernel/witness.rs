@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 /// The bits tried one after the other.
 const LADDER: [u64; 7] = [64, 128, 256, 512, 1024, 2048, 4096];
 /// In how many parts a range is cut to find a place where a duty fails.
-const PLACES: i64 = 16;
+const PLACES: i64 = 60;
 
 /// Where a statement is said to fail.
 #[derive(Clone, Debug, PartialEq, Eq)]
