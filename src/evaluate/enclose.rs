@@ -14,8 +14,8 @@ use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
 use super::{
-    Context, Failure, Outcome, condition, differentiate, euler, outcome, range, undecided,
-    unsupported,
+    Context, Failure, Outcome, condition, differentiate, euler, outcome, quadrature, range,
+    undecided, unsupported,
 };
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
 use crate::number::{DomainError, Interval, convert};
@@ -426,6 +426,12 @@ fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enc
             Formula::Derivative(body, name, times) => {
                 derivative(body, name, times, scope, precision)
             }
+            Formula::Ranged(ranged) => match failure {
+                Failure::Undecided(_) | Failure::Unsupported(_) | Failure::TooLarge(_) => {
+                    quadrature::integral(ranged, scope, precision)
+                }
+                Failure::Exhausted => Err(failure),
+            },
             _ => Err(failure),
         },
     }
