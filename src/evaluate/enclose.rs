@@ -14,8 +14,8 @@ use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
 use super::{
-    Context, Failure, Outcome, condition, differentiate, euler, outcome, quadrature, range,
-    undecided, unsupported,
+    Context, Failure, Outcome, condition, differentiate, euler, line, outcome, range, undecided,
+    unsupported,
 };
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
 use crate::number::{DomainError, Interval, convert};
@@ -420,7 +420,11 @@ fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enc
         Err(Failure::Exhausted) => Err(Failure::Exhausted),
         Err(failure) => match formula {
             Formula::Mean(..) | Formula::Variance(..) => {
-                euler::enclose(formula, scope, precision, failure)
+                match euler::enclose(formula, scope, precision, failure) {
+                    Err(Failure::Exhausted) => Err(Failure::Exhausted),
+                    Err(failure) => line::mean(formula, scope, precision, failure),
+                    outcome => outcome,
+                }
             }
             Formula::At(body, places) => at(body, places, scope, precision),
             Formula::Derivative(body, name, times) => {
@@ -428,7 +432,7 @@ fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enc
             }
             Formula::Ranged(ranged) => match failure {
                 Failure::Undecided(_) | Failure::Unsupported(_) | Failure::TooLarge(_) => {
-                    quadrature::integral(ranged, scope, precision)
+                    line::integral(ranged, scope, precision)
                 }
                 Failure::Exhausted => Err(failure),
             },

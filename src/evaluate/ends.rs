@@ -89,6 +89,36 @@ impl End {
         sizes.fold(1, u64::saturating_add)
     }
 
+    /// The sign of the integrand between the end and `cut`, where all terms have it.
+    pub fn sign(&self, cut: &Interval) -> Option<Ordering> {
+        let place = Interval::from_rational(&self.place, cut.precision());
+        if *cut.sub(&place).abs().high() > 1 {
+            return None;
+        }
+        let range = place.hull(cut);
+        let jets = Jets {
+            order: 0,
+            precision: cut.precision(),
+        };
+        let mut sign = Ordering::Equal;
+        for (_, logs, tree) in &self.terms {
+            let of_tree = tree.jet(&range, jets).ok()?.first()?.sign()?;
+            // ln t <= 0
+            let here = if logs % 2 == 1 {
+                of_tree.reverse()
+            } else {
+                of_tree
+            };
+            if sign != Ordering::Equal && here != Ordering::Equal && here != sign {
+                return None;
+            }
+            if here != Ordering::Equal {
+                sign = here;
+            }
+        }
+        Some(sign)
+    }
+
     /// The integral between the end and `cut`; `None` where a shorter piece is wanted.
     pub fn piece(
         &self,
@@ -197,8 +227,7 @@ fn leading_divergence(series: &Series) -> Result<Option<Ordering>, Failure> {
     // Among equal powers the most logarithms lead.
     let leading = series
         .iter()
-        .filter(|((exponent, _), c)| *exponent == lowest && c.sign() != Some(Ordering::Equal))
-        .next_back();
+        .rfind(|((exponent, _), c)| *exponent == lowest && c.sign() != Some(Ordering::Equal));
     let known = leading.and_then(|((_, logs), c)| Some((logs, c.sign()?)));
     match known {
         // ln t < 0

@@ -23,6 +23,7 @@ mod integrate;
 mod jet;
 mod law;
 mod limit;
+mod line;
 mod mean;
 mod outcome;
 mod pieces;
@@ -31,6 +32,7 @@ mod quantity;
 mod range;
 mod scope;
 mod sign;
+mod tail;
 
 pub use condition::holds;
 pub use enclose::{enclose, ladder};

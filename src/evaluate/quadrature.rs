@@ -13,90 +13,31 @@
 //! by a proved leading term is infinite where it is of one sign everywhere. What resists halving is
 //! [`Failure::Undecided`].
 
-use super::enclose::{self, Enclosure};
+use super::enclose::Enclosure;
 use super::ends::{self, Behaviour, End};
-use super::integrand::{Node, Reader, Splitter, Tree};
+use super::integrand::{Splitter, Tree};
 use super::jet::Jets;
+use super::line::Place;
 use super::scope::Scope;
-use super::{Failure, Outcome, exact, undecided, unsupported};
-use crate::formula::{Formula, Ranged};
+use super::{Failure, Outcome, unsupported};
 use crate::number::{DomainError, Interval};
 use rug::{Float, Rational};
 use std::cmp::Ordering;
-use std::rc::Rc;
 
-use Outcome::{Undefined, Value};
+use Outcome::{MinusInfinity, PlusInfinity, Undefined, Value};
 
 /// How often a piece is halved, and how many pieces there may be.
 const MAX_DEPTH: u32 = 100;
 const MAX_PIECES: u32 = 20_000;
 
+/// Pieces on which the sign of a divergent integrand is looked for.
+const MAX_SIGNS: u32 = 2_000;
+
 /// Bits in which remainders are found.
 const ROUGH: u32 = 64;
 
 /// Bits above the precision asked for.
-const GUARD: u32 = 64;
-
-/// A finite bound.
-#[derive(Clone, Debug)]
-pub(super) struct Place {
-    pub interval: Interval,
-    pub rational: Option<Rational>,
-}
-
-impl Place {
-    pub fn rational(value: Rational, precision: u32) -> Place {
-        Place {
-            interval: Interval::from_rational(&value, precision),
-            rational: Some(value),
-        }
-    }
-}
-
-/// `int(e, x = a..b)`
-pub(super) fn integral(ranged: &Ranged, scope: &Scope, precision: u32) -> Enclosure {
-    let working = precision.saturating_add(GUARD);
-    let (Value(from), Value(to)) = (
-        place(&ranged.from, scope, working)?,
-        place(&ranged.to, scope, working)?,
-    ) else {
-        return Ok(Undefined);
-    };
-    let reader = Reader {
-        scope,
-        names: &[(&ranged.name, Rc::new(Node::Variable))],
-        precision: working,
-    };
-    let Value(tree) = reader.read(&ranged.body)? else {
-        return Ok(Undefined);
-    };
-    if from.interval.is_below(&to.interval) {
-        over(&tree, from, to, scope, precision)
-    } else if to.interval.is_below(&from.interval) {
-        Ok(over(&tree, to, from, scope, precision)?.negate(|value| value.neg()))
-    } else {
-        Err(undecided("whether a range of integration is empty"))
-    }
-}
-
-/// A bound, exactly where that can be had.
-fn place(formula: &Formula, scope: &Scope, precision: u32) -> Result<Outcome<Place>, Failure> {
-    match exact::closed(formula, scope) {
-        Ok(outcome) => outcome.finite("an integral", |value| {
-            Ok(Value(Place {
-                interval: value.enclose(precision),
-                rational: value.as_rational(),
-            }))
-        }),
-        Err(Failure::Exhausted) => Err(Failure::Exhausted),
-        Err(_) => enclose::within(formula, scope, precision)?.finite("an integral", |interval| {
-            Ok(Value(Place {
-                interval,
-                rational: None,
-            }))
-        }),
-    }
-}
+pub(super) const GUARD: u32 = 64;
 
 /// A piece of the range, and which of the ends it touches.
 struct Piece {
@@ -114,6 +55,7 @@ struct Quadrature<'q, 'a> {
     order: usize,
     precision: u32,
     tolerance: Float,
+    range: (Interval, Interval),
 }
 
 /// The integral over `from < to`.
@@ -137,18 +79,13 @@ pub(super) fn over(
         order: 2 * (precision as usize / 6) + 8,
         precision: working,
         tolerance: tolerance(tree, &from.interval, &to.interval, precision),
+        range: (from.interval, to.interval),
     };
-    let whole = Piece {
-        from: from.interval,
-        to: to.interval,
-        touches: [true, true],
-        depth: 0,
-    };
-    quadrature.run(whole)
+    quadrature.run()
 }
 
 /// A remainder that does not matter: 2^-precision of the largest sample times the length. It proves nothing.
-fn tolerance(tree: &Tree, from: &Interval, to: &Interval, precision: u32) -> Float {
+pub(super) fn tolerance(tree: &Tree, from: &Interval, to: &Interval, precision: u32) -> Float {
     let jets = Jets {
         order: 0,
         precision: ROUGH,
@@ -180,9 +117,9 @@ fn tolerance(tree: &Tree, from: &Interval, to: &Interval, precision: u32) -> Flo
 }
 
 impl Quadrature<'_, '_> {
-    fn run(&self, whole: Piece) -> Enclosure {
+    fn run(&self) -> Enclosure {
         let mut sum = Interval::from_i64(0, self.precision);
-        let mut stack = vec![whole];
+        let mut stack = vec![self.whole()];
         let mut pieces = 0;
         while let Some(piece) = stack.pop() {
             pieces += 1;
@@ -191,7 +128,9 @@ impl Quadrature<'_, '_> {
             }
             match self.piece(&piece)? {
                 Some(Value(part)) => sum = sum.add(&part),
-                Some(_) => return Ok(Undefined),
+                Some(PlusInfinity) => return self.divergent(Ordering::Greater),
+                Some(MinusInfinity) => return self.divergent(Ordering::Less),
+                Some(Undefined) => return Ok(Undefined),
                 None => stack.extend(self.halves(&piece)?),
             }
         }
@@ -203,8 +142,9 @@ impl Quadrature<'_, '_> {
         let middle = Interval::from_ends(middle.clone(), middle);
         let between = piece.from.is_below(&middle) && middle.is_below(&piece.to);
         if piece.depth >= MAX_DEPTH || !between {
-            return Err(undecided(
-                "an integral whose integrand is not seen to be smooth",
+            // More bits do not help where halving does not.
+            return Err(Failure::TooLarge(
+                "the pieces of an integral whose integrand is not seen to be smooth".into(),
             ));
         }
         let depth = piece.depth + 1;
@@ -236,6 +176,56 @@ impl Quadrature<'_, '_> {
         }
     }
 
+    fn whole(&self) -> Piece {
+        Piece {
+            from: self.range.0.clone(),
+            to: self.range.1.clone(),
+            touches: [true, true],
+            depth: 0,
+        }
+    }
+
+    /// What an integral is that diverges at an end with this sign: infinite where the integrand has
+    /// that sign everywhere, without value where it has the other one somewhere.
+    fn divergent(&self, sign: Ordering) -> Enclosure {
+        let mut stack = vec![self.whole()];
+        let mut pieces = 0;
+        while let Some(piece) = stack.pop() {
+            self.scope.spend(self.tree.size())?;
+            pieces += 1;
+            match self.sign(&piece) {
+                Some(found) if found == sign || found == Ordering::Equal => {}
+                Some(_) => return Ok(Undefined),
+                None if pieces > MAX_SIGNS => {
+                    return Err(unsupported("a divergent integral of unknown sign"));
+                }
+                None => stack.extend(self.halves(&piece)?),
+            }
+        }
+        Ok(match sign {
+            Ordering::Less => MinusInfinity,
+            _ => PlusInfinity,
+        })
+    }
+
+    /// The sign that the integrand has on all of the piece.
+    fn sign(&self, piece: &Piece) -> Option<Ordering> {
+        let at = [0, 1].map(|side| self.ends[side].as_ref().filter(|_| piece.touches[side]));
+        match at {
+            [Some(_), Some(_)] => None,
+            [Some(end), None] => end.sign(&piece.to),
+            [None, Some(end)] => end.sign(&piece.from),
+            [None, None] => {
+                let jets = Jets {
+                    order: 0,
+                    precision: ROUGH,
+                };
+                let range = piece.from.hull(&piece.to).with_precision(ROUGH);
+                self.tree.jet(&range, jets).ok()?.first()?.sign()
+            }
+        }
+    }
+
     fn spend(&self, size: u64, precision: u32) -> Result<(), Failure> {
         let products = (self.order as u64).saturating_pow(2) / 4;
         let words = 1 + u64::from(precision) / 256;
@@ -248,9 +238,8 @@ impl Quadrature<'_, '_> {
             self.spend(end.size().saturating_mul(2), precision)?;
             match end.piece(cut, self.order, precision)? {
                 None => return Ok(None),
-                Some(Behaviour::Diverges(_)) => {
-                    return Err(undecided("the sign of a divergent integrand"));
-                }
+                Some(Behaviour::Diverges(Ordering::Less)) => return Ok(Some(MinusInfinity)),
+                Some(Behaviour::Diverges(_)) => return Ok(Some(PlusInfinity)),
                 Some(Behaviour::Integral { rest, .. }) if rest.width() > self.tolerance => {
                     return Ok(None);
                 }
