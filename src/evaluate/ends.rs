@@ -39,7 +39,9 @@ pub(super) fn find(tree: &Tree, splitter: &Splitter) -> Result<[Option<End>; 2],
     let terms = splitter.split(tree)?;
     Ok([0, 1].map(|side| {
         let place = splitter.ends[side].clone()?;
-        if terms.iter().all(|term| term.is_regular(side)) {
+        // Poles that cancel are seen by the terms only, not by the jets of the whole.
+        let regular = terms.iter().all(|term| term.is_regular(side));
+        if regular && has_value(tree, &place, splitter.precision) {
             return None;
         }
         let parts = terms.iter().map(|term| {
@@ -53,6 +55,15 @@ pub(super) fn find(tree: &Tree, splitter: &Splitter) -> Result<[Option<End>; 2],
             place,
         })
     }))
+}
+
+fn has_value(tree: &Tree, place: &Rational, precision: u32) -> bool {
+    let place = Interval::from_rational(place, precision);
+    let jets = Jets {
+        order: 1,
+        precision,
+    };
+    tree.jet(&place, jets).is_ok()
 }
 
 /// The factors of a term that belong to the other end.
@@ -90,19 +101,14 @@ impl End {
     }
 
     /// The sign of the integrand between the end and `cut`, where all terms have it.
-    pub fn sign(&self, cut: &Interval) -> Option<Ordering> {
+    pub fn sign(&self, cut: &Interval, order: usize) -> Option<Ordering> {
         let place = Interval::from_rational(&self.place, cut.precision());
         if *cut.sub(&place).abs().high() > 1 {
             return None;
         }
-        let range = place.hull(cut);
-        let jets = Jets {
-            order: 0,
-            precision: cut.precision(),
-        };
         let mut sign = Ordering::Equal;
         for (_, logs, tree) in &self.terms {
-            let of_tree = tree.jet(&range, jets).ok()?.first()?.sign()?;
+            let of_tree = self.sign_of(tree, &place, cut, order)?;
             // ln t <= 0
             let here = if logs % 2 == 1 {
                 of_tree.reverse()
@@ -117,6 +123,30 @@ impl End {
             }
         }
         Some(sign)
+    }
+
+    /// The sign of a factor: where its first r coefficients at the end are 0, it is t^r times a value
+    /// of coefficient r over the piece.
+    fn sign_of(
+        &self,
+        tree: &Tree,
+        place: &Interval,
+        cut: &Interval,
+        order: usize,
+    ) -> Option<Ordering> {
+        let precision = cut.precision();
+        let at_end = tree.jet(place, Jets { order, precision }).ok()?;
+        let vanishing = at_end
+            .iter()
+            .take_while(|c| c.sign() == Some(Ordering::Equal))
+            .count();
+        let range = place.hull(cut);
+        let jets = Jets {
+            order: vanishing,
+            precision,
+        };
+        let over_piece = tree.jet(&range, jets).ok()?;
+        self.turned(over_piece.get(vanishing)?, vanishing).sign()
     }
 
     /// The integral between the end and `cut`; `None` where a shorter piece is wanted.

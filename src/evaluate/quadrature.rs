@@ -33,6 +33,9 @@ const MAX_PIECES: u32 = 20_000;
 /// Pieces on which the sign of a divergent integrand is looked for.
 const MAX_SIGNS: u32 = 2_000;
 
+/// Zeros of factors at an end are followed up to this order when signs are asked for.
+const MAX_ZERO: usize = 8;
+
 /// Bits in which remainders are found.
 const ROUGH: u32 = 64;
 
@@ -84,25 +87,30 @@ pub(super) fn over(
     quadrature.run()
 }
 
-/// A remainder that does not matter: 2^-precision of the largest sample times the length. It proves nothing.
-pub(super) fn tolerance(tree: &Tree, from: &Interval, to: &Interval, precision: u32) -> Float {
+/// Values at places inside the range, where they can be had.
+fn samples(tree: &Tree, from: &Interval, to: &Interval) -> impl Iterator<Item = Interval> {
     let jets = Jets {
         order: 0,
         precision: ROUGH,
     };
     let length = to.sub(from);
-    let mut largest = Float::new(ROUGH);
-    for k in 1..16 {
+    (1..16).filter_map(move |k| {
         let part = Interval::from_rational(&Rational::from((k, 16)), ROUGH);
-        let place = Interval::from_ends(
-            from.add(&length.mul(&part)).midpoint(),
-            from.add(&length.mul(&part)).midpoint(),
-        );
-        if let Ok(value) = tree.jet(&place, jets) {
-            let size = value[0].abs().high().clone();
-            if size.is_finite() && size > largest {
-                largest = size;
-            }
+        let place = from.add(&length.mul(&part)).midpoint();
+        let place = Interval::from_ends(place.clone(), place);
+        let inside = from.is_below(&place) && place.is_below(to);
+        inside.then(|| tree.jet(&place, jets).ok()?.into_iter().next())?
+    })
+}
+
+/// A remainder that does not matter: 2^-precision of the largest sample times the length. It proves nothing.
+pub(super) fn tolerance(tree: &Tree, from: &Interval, to: &Interval, precision: u32) -> Float {
+    let length = to.sub(from);
+    let mut largest = Float::new(ROUGH);
+    for value in samples(tree, from, to) {
+        let size = value.abs().high().clone();
+        if size.is_finite() && size > largest {
+            largest = size;
         }
     }
     if largest.is_zero() {
@@ -148,20 +156,24 @@ impl Quadrature<'_, '_> {
             ));
         }
         let depth = piece.depth + 1;
-        Ok([
-            Piece {
-                from: middle.clone(),
-                to: piece.to.clone(),
-                touches: [false, piece.touches[1]],
-                depth,
-            },
-            Piece {
-                from: piece.from.clone(),
-                to: middle,
-                touches: [piece.touches[0], false],
-                depth,
-            },
-        ])
+        let upper = Piece {
+            from: middle.clone(),
+            to: piece.to.clone(),
+            touches: [false, piece.touches[1]],
+            depth,
+        };
+        let lower = Piece {
+            from: piece.from.clone(),
+            to: middle,
+            touches: [piece.touches[0], false],
+            depth,
+        };
+        // The last is next: an end that no halving helps is met before the work inside is done.
+        Ok(if piece.touches[1] {
+            [lower, upper]
+        } else {
+            [upper, lower]
+        })
     }
 
     /// The integral over a piece; `None` where it is to be halved, `Undefined` where the integrand
@@ -188,12 +200,16 @@ impl Quadrature<'_, '_> {
     /// What an integral is that diverges at an end with this sign: infinite where the integrand has
     /// that sign everywhere, without value where it has the other one somewhere.
     fn divergent(&self, sign: Ordering) -> Enclosure {
+        let opposite = |value: Interval| value.sign() == Some(sign.reverse());
+        if samples(self.tree, &self.range.0, &self.range.1).any(opposite) {
+            return Ok(Undefined);
+        }
         let mut stack = vec![self.whole()];
         let mut pieces = 0;
         while let Some(piece) = stack.pop() {
             self.scope.spend(self.tree.size())?;
             pieces += 1;
-            match self.sign(&piece) {
+            match self.sign(&piece, sign) {
                 Some(found) if found == sign || found == Ordering::Equal => {}
                 Some(_) => return Ok(Undefined),
                 None if pieces > MAX_SIGNS => {
@@ -208,20 +224,26 @@ impl Quadrature<'_, '_> {
         })
     }
 
-    /// The sign that the integrand has on all of the piece.
-    fn sign(&self, piece: &Piece) -> Option<Ordering> {
+    /// The sign that the integrand has on all of the piece; the wanted one also where it may be 0.
+    fn sign(&self, piece: &Piece, wanted: Ordering) -> Option<Ordering> {
         let at = [0, 1].map(|side| self.ends[side].as_ref().filter(|_| piece.touches[side]));
         match at {
             [Some(_), Some(_)] => None,
-            [Some(end), None] => end.sign(&piece.to),
-            [None, Some(end)] => end.sign(&piece.from),
+            [Some(end), None] => end.sign(&piece.to, MAX_ZERO),
+            [None, Some(end)] => end.sign(&piece.from, MAX_ZERO),
             [None, None] => {
                 let jets = Jets {
                     order: 0,
                     precision: ROUGH,
                 };
                 let range = piece.from.hull(&piece.to).with_precision(ROUGH);
-                self.tree.jet(&range, jets).ok()?.first()?.sign()
+                let jet = self.tree.jet(&range, jets).ok()?;
+                let value = jet.first()?;
+                let weakly = match wanted {
+                    Ordering::Less => *value.high() <= 0,
+                    _ => *value.low() >= 0,
+                };
+                value.sign().or_else(|| weakly.then_some(wanted))
             }
         }
     }
