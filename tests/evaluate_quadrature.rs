@@ -174,6 +174,7 @@ fn poles_inside_and_unclear_ends_are_refused() {
         "int(exp(x), x = 0..inf)",
         "int(sin(x)/x, x = 0..inf)",
         "int(exp(-1/x), x = 0..1)",
+        "int(exp(-x)*sqrt(1000 - x), x = 0..inf)",
         "mean(exp(x)/(x - 1/2), x ~ beta(1/2, 2))",
     ] {
         let answer = digits(integral, 15);

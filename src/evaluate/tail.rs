@@ -95,10 +95,13 @@ fn structural(tree: &Node, start: &Interval) -> Option<Growth> {
         Node::RealPower(a, s, _) if *s.high() < 0 => {
             reciprocal(a, &s.with_precision(BITS).neg(), start)
         }
-        Node::RealPower(a, s, _) if *s.low() > 0 => growth(a, start)?.to(&s.with_precision(BITS)),
+        // There is a value for bases >= 0 only.
+        Node::RealPower(a, s, _) if *s.low() > 0 && *values(a, start)?.low() >= 0 => {
+            growth(a, start)?.to(&s.with_precision(BITS))
+        }
         Node::Exp(a) => exponential(a, &small(1), start),
         Node::Ln(a) if *values(a, start)?.low() >= 1 => growth(a, start),
-        Node::Sin(_) | Node::Cos(_) => Some(constant(&small(1))),
+        Node::Sin(a) | Node::Cos(a) => values(a, start).map(|_| constant(&small(1))),
         _ => None,
     }
 }
