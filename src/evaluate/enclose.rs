@@ -14,7 +14,7 @@ use super::exact;
 use super::quantity::Quantity;
 use super::scope::{Binding, Root, Scope};
 use super::{
-    Context, Failure, Outcome, condition, differentiate, euler, outcome, range, undecided,
+    Context, Failure, Outcome, condition, differentiate, euler, line, outcome, range, undecided,
     unsupported,
 };
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
@@ -420,12 +420,22 @@ fn exactly_or_by_series(formula: &Formula, scope: &Scope, precision: u32) -> Enc
         Err(Failure::Exhausted) => Err(Failure::Exhausted),
         Err(failure) => match formula {
             Formula::Mean(..) | Formula::Variance(..) => {
-                euler::enclose(formula, scope, precision, failure)
+                match euler::enclose(formula, scope, precision, failure) {
+                    Err(Failure::Exhausted) => Err(Failure::Exhausted),
+                    Err(failure) => line::mean(formula, scope, precision, failure),
+                    outcome => outcome,
+                }
             }
             Formula::At(body, places) => at(body, places, scope, precision),
             Formula::Derivative(body, name, times) => {
                 derivative(body, name, times, scope, precision)
             }
+            Formula::Ranged(ranged) => match failure {
+                Failure::Undecided(_) | Failure::Unsupported(_) | Failure::TooLarge(_) => {
+                    line::integral(ranged, scope, precision)
+                }
+                Failure::Exhausted => Err(failure),
+            },
             _ => Err(failure),
         },
     }
