@@ -139,10 +139,31 @@ impl Quadrature<'_, '_> {
                 Some(PlusInfinity) => return self.divergent(Ordering::Greater),
                 Some(MinusInfinity) => return self.divergent(Ordering::Less),
                 Some(Undefined) => return Ok(Undefined),
-                None => stack.extend(self.halves(&piece)?),
+                None => match self.halves(&piece) {
+                    Ok(halves) => stack.extend(halves),
+                    Err(_) if stack.iter().any(|rest| self.has_no_value(rest)) => {
+                        return Ok(Undefined);
+                    }
+                    Err(failure) => return Err(failure),
+                },
             }
         }
         Ok(Value(sum))
+    }
+
+    /// Whether the integrand certainly has no value anywhere on a half of the piece: the whole may
+    /// touch a place where it has one.
+    fn has_no_value(&self, piece: &Piece) -> bool {
+        let jets = Jets {
+            order: 0,
+            precision: ROUGH,
+        };
+        self.halves(piece).is_ok_and(|halves| {
+            halves.iter().any(|half| {
+                let range = half.from.hull(&half.to).with_precision(ROUGH);
+                self.tree.jet(&range, jets) == Err(DomainError::Certain)
+            })
+        })
     }
 
     fn halves(&self, piece: &Piece) -> Result<[Piece; 2], Failure> {
