@@ -297,9 +297,12 @@ pub(super) fn fraction(
             fraction(chosen, x, scope)
         }
         Formula::Ranged(r) => ranged(r, x, scope),
-        // What is derived must have values itself.
+        // What is derived must have values itself; that its rule has none proves nothing.
         Formula::Derivative(a, name, order) => match fraction(a, x, scope)? {
-            Some(_) => fraction(&calculus::derived(a, name, order, scope)?, x, scope),
+            Some(_) => match fraction(&calculus::derived(a, name, order, scope)?, x, scope)? {
+                Some(f) => Ok(Some(f)),
+                None => unknown("a derivative whose rule has no value here"),
+            },
             None => Ok(None),
         },
         Formula::At(a, places) => match places.as_slice() {

@@ -464,6 +464,33 @@ mod tests {
         assert_agree(root, "I*k*(ln(k) - ln(k-1))", &numbers, &[]);
     }
 
+    /// What the rules of calculus say where they do not hold is no value.
+    #[test]
+    fn derivatives_claim_nothing_beyond_their_rules() {
+        for text in [
+            // The integral is infinite around x = 1: its ends alone would give 1.
+            "at(diff(int(1/t, t = 0..x), x), x = 1)",
+            // y*abs(y) has the derivative 0 at 0, which the rule does not see.
+            "at(int(diff(y*abs(y)*x, y), x = 0..1), y = 0)",
+        ] {
+            assert!(closed(text).is_err(), "{text}");
+        }
+    }
+
+    /// A draw of a mean's own is not the parameter of the same name.
+    #[test]
+    fn an_own_draw_hides_a_parameter() {
+        for text in [
+            "mean(sum(1, j = 1..k), k ~ uniform(0, 2))",
+            "mean(x*sum(1, j = 1..x), x ~ uniform(0, 2))",
+        ] {
+            assert!(at(text, &[("k", 3, 1), ("x", 3, 1)], &[], 64).is_err());
+        }
+        let found = at("mean(k, k ~ uniform(0, k))", &[("k", 3, 1)], &[], 64);
+        assert_eq!(found, exact(3, 2));
+        assert!(at("density(x, inf)", &[], &[draw("x", "uniform(0, 1)")], 64).is_err());
+    }
+
     #[test]
     fn a_bound_name_hides_a_parameter() {
         // The law of x is read where the mean stands: outside of the sum.
