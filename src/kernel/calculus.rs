@@ -40,8 +40,10 @@ pub(super) fn derivative(
     order: &Formula,
     scope: &Scope,
 ) -> Result<Value, Unknown> {
-    if value_in(f, scope)? == Value::Undefined {
-        return Ok(Value::Undefined);
+    match value_in(f, scope)? {
+        Value::Undefined => return Ok(Value::Undefined),
+        Value::Finite { .. } => {}
+        _ => return unknown("a derivative of what is infinite"),
     }
     match value_in(&derived(f, x, order, scope)?, scope)? {
         Value::Finite { low, high } => Ok(Value::Finite { low, high }),

@@ -35,7 +35,7 @@ pub(super) fn over_range(
 ) -> Result<Value, Unknown> {
     let (from, to) = ends;
     match from.compare(to) {
-        Some(Ordering::Equal) => return Ok(Value::exact(0)),
+        Some(Ordering::Equal) => return at_one_place(body, name, from, scope),
         Some(Ordering::Greater) => {
             return Ok(over_range(body, weight, name, (to, from), scope)?.negated());
         }
@@ -57,6 +57,18 @@ pub(super) fn over_range(
         pieces.push(integral(&f, &pair[0], &pair[1], scope.bits)?);
     }
     sum_of_pieces(&pieces, scope.bits)
+}
+
+/// The integral between equal ends: 0, where the integrand is one at all.
+fn at_one_place(body: &Formula, name: &Name, at: &Value, scope: &Scope) -> Result<Value, Unknown> {
+    let Some(sample) = at.finite().and_then(|at| at.as_exact().cloned()) else {
+        return unknown("an integral from infinity to infinity");
+    };
+    let sample = Some(sample);
+    match fraction(body, &Variable { name, sample }, scope)? {
+        Some(_) => Ok(Value::exact(0)),
+        None => Ok(Value::Undefined),
+    }
 }
 
 /// Infinite pieces add to pieces that are infinite alike only: elsewhere the integrand may change
@@ -297,9 +309,12 @@ pub(super) fn fraction(
             fraction(chosen, x, scope)
         }
         Formula::Ranged(r) => ranged(r, x, scope),
-        // What is derived must have values itself.
+        // What is derived must have values itself; that its rule has none proves nothing.
         Formula::Derivative(a, name, order) => match fraction(a, x, scope)? {
-            Some(_) => fraction(&calculus::derived(a, name, order, scope)?, x, scope),
+            Some(_) => match fraction(&calculus::derived(a, name, order, scope)?, x, scope)? {
+                Some(f) => Ok(Some(f)),
+                None => unknown("a derivative whose rule has no value here"),
+            },
             None => Ok(None),
         },
         Formula::At(a, places) => match places.as_slice() {

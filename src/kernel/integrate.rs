@@ -88,17 +88,23 @@ pub(super) fn sign_on(
     if signs.len() > LENGTH_CAP {
         return unknown("the sign of a polynomial of too high a degree");
     }
-    match (from.finite(), to.finite()) {
-        (Some(a), Some(b)) => sign_between(&signs, a.low(), Some(b.high()), HALVINGS),
-        (Some(a), None) => sign_between(&signs, a.low(), None, HALVINGS),
-        (None, Some(b)) => sign_between(&mirrored(&signs), &-b.high(), None, HALVINGS),
+    let sign = match (from.finite(), to.finite()) {
+        (Some(a), Some(b)) => sign_between(&signs, a.low(), Some(b.high()), HALVINGS)?,
+        (Some(a), None) => sign_between(&signs, a.low(), None, HALVINGS)?,
+        (None, Some(b)) => sign_between(&mirrored(&signs), &-b.high(), None, HALVINGS)?,
         (None, None) => {
             let zero = Rational::zero();
             let right = sign_between(&signs, &zero, None, HALVINGS)?;
             let left = sign_between(&mirrored(&signs), &zero, None, HALVINGS)?;
-            Ok(both(left, right))
+            both(left, right)
         }
+    };
+    // The hull of enclosed ends may hold a change of sign that the range itself has not.
+    let enclosed = |end: &Value| end.finite().is_some_and(|end| !end.is_exact());
+    if sign.is_none() && (enclosed(from) || enclosed(to)) {
+        return unknown("a change of sign that may lie beyond an end of the range");
     }
+    Ok(sign)
 }
 
 /// p(-x)
@@ -372,6 +378,10 @@ mod tests {
             sign(&fraction(&[-1, 0, 0], &[(5, 1)])),
             Ok(Some(Ordering::Greater))
         );
+        // The sign changes within the enclosure of the lower end: on the range it may not.
+        let end: Value = Interval::between(ratio(0, 1), ratio(2, 1)).into();
+        let found = sign_on(&fraction(&[-1, 1], &[]), &end, &Value::PlusInfinity, 64);
+        assert!(found.is_err());
         // (3x - 1)^2: the double root is never at an end of a half.
         assert!(sign(&fraction(&[1, -6, 9], &[])).is_err());
     }

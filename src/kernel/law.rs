@@ -299,7 +299,19 @@ pub(super) fn mean<'a>(
     scope: &Scope<'a>,
 ) -> Result<Value, Unknown> {
     let draws = draws_of(own, |name| scope.depends(body, name), scope)?;
-    mean_over(body, &draws, scope)
+    let Some(draw) = own else {
+        return mean_over(body, &draws, scope);
+    };
+    // The draw hides a parameter of its name from the body, not from its own law.
+    let Some(weight) = weight(&draw.law, scope)? else {
+        return Ok(Value::Undefined);
+    };
+    weighted(
+        body,
+        weight,
+        &draw.name,
+        &scope.with(&draw.name, Binding::Variable),
+    )
 }
 
 fn mean_over(body: &Formula, draws: &[&Draw], scope: &Scope) -> Result<Value, Unknown> {
@@ -317,11 +329,15 @@ fn mean_over(body: &Formula, draws: &[&Draw], scope: &Scope) -> Result<Value, Un
 }
 
 fn one_mean(body: &Formula, draw: &Draw, scope: &Scope) -> Result<Value, Unknown> {
-    let Some(weight) = weight(&draw.law, scope)? else {
-        return Ok(Value::Undefined);
-    };
+    match weight(&draw.law, scope)? {
+        Some(weight) => weighted(body, weight, &draw.name, scope),
+        None => Ok(Value::Undefined),
+    }
+}
+
+fn weighted(body: &Formula, weight: Weight, name: &Name, scope: &Scope) -> Result<Value, Unknown> {
     let ends = (Value::from(weight.from), Value::from(weight.to));
-    over_range(body, &weight.density, &draw.name, (&ends.0, &ends.1), scope)
+    over_range(body, &weight.density, name, (&ends.0, &ends.1), scope)
 }
 
 /// The mean over several independent draws, where it splits: the mean of a sum of finite means is
@@ -403,8 +419,11 @@ pub(super) fn probability<'a>(
 /// The density of a draw at a number, ends of its support counted in.
 pub(super) fn density_at(drawn: &Formula, at: &Formula, scope: &Scope) -> Result<Value, Unknown> {
     let (weight, place) = (of_draw(drawn, scope)?, value_in(at, scope)?);
-    let (Some(weight), Some(place)) = (weight, place.finite()) else {
+    let (Some(weight), false) = (weight, place == Value::Undefined) else {
         return Ok(Value::Undefined);
+    };
+    let Some(place) = place.finite() else {
+        return unknown("a density at infinity");
     };
     match (weight.from.compare(&place), place.compare(&weight.to)) {
         (Some(Ordering::Greater), _) | (_, Some(Ordering::Greater)) => Ok(Value::exact(0)),

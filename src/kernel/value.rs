@@ -335,6 +335,7 @@ mod tests {
             "1/inf",
             "hyp2f1(1, 1; 2; 1)",
             "0*(1/0)",
+            "int(x/0, x = 1..1)",
             "int(1/x, x = -1..1)",
             "at(x/x, x = 0)",
             "sum(1/j, j = 0..3)",
@@ -462,6 +463,33 @@ mod tests {
         );
         let root = "int(n*[sqrt((k-1)/n) < r < sqrt(k/n)]*2*r*I*k/(n*r^2), r = 0..1)";
         assert_agree(root, "I*k*(ln(k) - ln(k-1))", &numbers, &[]);
+    }
+
+    /// What the rules of calculus say where they do not hold is no value.
+    #[test]
+    fn derivatives_claim_nothing_beyond_their_rules() {
+        for text in [
+            // The integral is infinite around x = 1: its ends alone would give 1.
+            "at(diff(int(1/t, t = 0..x), x), x = 1)",
+            // y*abs(y) has the derivative 0 at 0, which the rule does not see.
+            "at(int(diff(y*abs(y)*x, y), x = 0..1), y = 0)",
+        ] {
+            assert!(closed(text).is_err(), "{text}");
+        }
+    }
+
+    /// A draw of a mean's own is not the parameter of the same name.
+    #[test]
+    fn an_own_draw_hides_a_parameter() {
+        for text in [
+            "mean(sum(1, j = 1..k), k ~ uniform(0, 2))",
+            "mean(x*sum(1, j = 1..x), x ~ uniform(0, 2))",
+        ] {
+            assert!(at(text, &[("k", 3, 1), ("x", 3, 1)], &[], 64).is_err());
+        }
+        let found = at("mean(k, k ~ uniform(0, k))", &[("k", 3, 1)], &[], 64);
+        assert_eq!(found, exact(3, 2));
+        assert!(at("density(x, inf)", &[], &[draw("x", "uniform(0, 1)")], 64).is_err());
     }
 
     #[test]
