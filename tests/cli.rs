@@ -299,7 +299,15 @@ fn values_with_proved_digits() {
     let mean = run(&["eval", "mean(1/x)", "--draw", "x ~ beta(2, 3)"]);
     assert_eq!((mean.code, &*mean.out), (Some(0), "4\n"));
     let none = run(&["eval", "1/(k-1)", "--set", "k=1"]);
-    assert_eq!((none.code, &*none.out), (Some(0), "no value\n"));
+    assert_eq!((none.code, &*none.out), (Some(2), ""));
+    assert!(
+        none.err.contains("the divisor `k - 1` is 0"),
+        "{}",
+        none.err
+    );
+    let large = run(&["eval", "2^2^100"]);
+    assert_eq!((large.code, &*large.out), (Some(1), ""));
+    assert!(large.err.contains("too large"), "{}", large.err);
     let json = run(&["eval", "pi", "--digits", "3", "--format", "json"]);
     let value: serde_json::Value = serde_json::from_str(&json.out).expect("is JSON");
     assert_eq!(value["value"], "3.14");

@@ -77,6 +77,9 @@ pub(super) fn definite(
 }
 
 fn diverges(function: &Fraction, from: &Bound, to: &Bound) -> Result<bool, Failure> {
+    if function.is_zero() {
+        return Ok(false);
+    }
     let unbounded = !matches!((from, to), (Bound::Finite(_), Bound::Finite(_)));
     if unbounded && function.degree().is_some_and(|degree| degree >= -1) {
         return Ok(true);

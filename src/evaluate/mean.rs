@@ -13,7 +13,7 @@ use super::{Failure, Outcome, closed, condition, integrate, outcome, unsupported
 use crate::formula::{Budget, Condition, Draw, Formula, Part, Relation};
 use rug::Rational;
 
-use Outcome::{PlusInfinity, Undefined, Value};
+use Outcome::{Undefined, Value};
 
 /// The body of a mean with its draws as symbols.
 pub(super) struct Body<'b> {
@@ -243,8 +243,7 @@ pub(super) fn at_draw(
         return match value(x, scope)? {
             Value(x) => law::at_place(draw, x, cumulative, scope),
             Undefined => Ok(Undefined),
-            PlusInfinity if cumulative => number(Rational::from(1)),
-            _ => number(Rational::new()),
+            _ => Err(unsupported("a law at infinity")),
         };
     }
     if !cumulative {

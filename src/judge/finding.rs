@@ -20,7 +20,7 @@ pub enum Evidence {
     /// The kernel checked this witness.
     Checked {
         witness: Witness,
-        refutation: Refutation,
+        refutation: Box<Refutation>,
     },
     /// The exact series of both sides differ: until expansions have constants, this is not the
     /// kernel's word.

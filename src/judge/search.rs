@@ -147,7 +147,7 @@ impl Search<'_> {
                     return Finding {
                         witness: Some(Evidence::Checked {
                             witness,
-                            refutation,
+                            refutation: Box::new(refutation),
                         }),
                         ..Finding::plain(Verdict::Refuted)
                     };

@@ -28,14 +28,16 @@ impl Bounds {
     pub fn tighten(&mut self, relation: Relation, value: Rational) {
         match relation {
             Relation::Less | Relation::LessEqual => {
-                if self.high.as_ref().is_none_or(|high| value < *high) {
-                    self.high = Some(value);
-                }
+                self.high = Some(match self.high.take() {
+                    Some(high) => high.min(value),
+                    None => value,
+                });
             }
             Relation::Greater | Relation::GreaterEqual => {
-                if self.low.as_ref().is_none_or(|low| value > *low) {
-                    self.low = Some(value);
-                }
+                self.low = Some(match self.low.take() {
+                    Some(low) => low.max(value),
+                    None => value,
+                });
             }
             Relation::Equal => {
                 self.tighten(Relation::LessEqual, value.clone());

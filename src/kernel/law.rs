@@ -211,7 +211,9 @@ fn power_of_root(
         return Ok(None);
     };
     Ok(match radicand.as_exact() {
-        Some(radicand) if exponent % index == 0 && (index == 1 || !radicand.is_negative()) => {
+        Some(radicand)
+            if exponent.is_multiple_of(index) && (index == 1 || !radicand.is_negative()) =>
+        {
             Some(integer_power(radicand, exponent / index))
         }
         _ => None,

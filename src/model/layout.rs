@@ -63,7 +63,7 @@ fn shell(k: &Integer, l: Integer, m: Integer) -> Shell {
 fn triangular(k: &Integer) -> (Integer, Integer) {
     let root = (Integer::from(k * 8u32) - 7u32).sqrt();
     let m: Integer = (root + 1u32) >> 1;
-    let before: Integer = Integer::from(&m * Integer::from(&m - 1u32)) >> 1;
+    let before: Integer = (&m * Integer::from(&m - 1u32)) >> 1;
     (Integer::from(k - &before), m)
 }
 
@@ -133,7 +133,7 @@ mod tests {
             "1000000000000000000000000000000",
         ] {
             let m: Integer = m.parse().expect("digits");
-            let before: Integer = Integer::from(&m * Integer::from(&m - 1u32)) >> 1;
+            let before: Integer = (&m * Integer::from(&m - 1u32)) >> 1;
             let first = Layout::Triangular
                 .shell(&Integer::from(&before + 1u32))
                 .expect("first");

@@ -223,7 +223,7 @@ mod tests {
         for _ in 0..power {
             let mut carry = Rational::new();
             for c in density.iter_mut().rev() {
-                let next = Rational::from(&*c - &r * carry.clone());
+                let next = &*c - &r * carry.clone();
                 *c = std::mem::replace(&mut carry, next);
             }
             remainders.push(carry);
@@ -236,7 +236,7 @@ mod tests {
             // The remainder of the first division sits over (x + r)^2, that of the second over x + r.
             let one = Rational::from(1);
             let ends = r.clone().recip() - (one + &r).recip();
-            rational += Rational::from(&remainders[0] * ends);
+            rational += &remainders[0] * ends;
         }
         let constant = Integer::from(Integer::factorial(m))
             / Integer::from(Integer::factorial(l - 1))
