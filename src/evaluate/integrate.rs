@@ -77,9 +77,6 @@ pub(super) fn definite(
 }
 
 fn diverges(function: &Fraction, from: &Bound, to: &Bound) -> Result<bool, Failure> {
-    if function.is_zero() {
-        return Ok(false);
-    }
     let unbounded = !matches!((from, to), (Bound::Finite(_), Bound::Finite(_)));
     if unbounded && function.degree().is_some_and(|degree| degree >= -1) {
         return Ok(true);
@@ -352,6 +349,10 @@ pub(super) fn map_terms(
     let one = Fraction::constant(Rational::from(1));
     let mut sum = Separable { terms: vec![] };
     for term in &function.terms {
+        // The integral of 0 is 0, over a range without end too.
+        if term.coefficient.is_zero() == Some(true) {
+            continue;
+        }
         let value = match number(term.factors.get(&symbol).unwrap_or(&one))? {
             Outcome::Value(value) => value,
             other if function.terms.len() == 1 && term.others(symbol) == 0 => {

@@ -8,8 +8,11 @@ use super::statement::relations;
 use super::values::Reach;
 use super::verdict::{Extent, Verdict};
 use crate::evaluate::Context;
-use crate::formula::{Budget, Formula, Part, Point, Proposition, Rational, Relation, Statement};
+use crate::formula::{
+    Budget, Formula, Operator, Part, Point, Proposition, Rational, Relation, Statement,
+};
 use crate::kernel::{self, Witness};
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// The points that every relation of the proposition is tried at: small ones in order of size, then
@@ -50,10 +53,21 @@ fn marks(statement: &Statement) -> Vec<Rational> {
 }
 
 fn collect_constants(part: Part, found: &mut BTreeSet<Rational>) {
-    if let Part::Formula(Formula::Number(value)) = part {
-        found.insert(value.clone());
+    match part {
+        Part::Formula(Formula::Number(value)) => {
+            found.insert(value.clone());
+        }
+        // A fraction is one constant, not two.
+        Part::Formula(Formula::Binary(Operator::Divide, over, under)) => {
+            match (&**over, &**under) {
+                (Formula::Number(over), Formula::Number(under)) if !under.is_zero() => {
+                    found.insert(over / under);
+                }
+                _ => part.each(&mut |inner, _| collect_constants(inner, found)),
+            }
+        }
+        _ => part.each(&mut |inner, _| collect_constants(inner, found)),
     }
-    part.each(&mut |inner, _| collect_constants(inner, found));
 }
 
 /// The search for a failure of one relation.
