@@ -2,7 +2,8 @@
 //!
 //! `make bench`; results are compared with those of the last run on the same machine.
 
-use claimcheck::formula::{parse_formula, parse_statement};
+use claimcheck::evaluate::{self, Context};
+use claimcheck::formula::{Budget, Point, Rational, parse_formula, parse_statement};
 use claimcheck::model::{Layout, moments};
 use criterion::{Criterion, criterion_group, criterion_main};
 use rug::Integer;
@@ -24,6 +25,42 @@ fn parsing(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// One formula at one point, exactly and to 50 and 1000 digits.
+fn evaluation(criterion: &mut Criterion) {
+    let formula = parse_formula(VARIANCE).expect("it parses");
+    let mut point = Point::default();
+    for (name, value) in [
+        ("I", 1),
+        ("k", 55),
+        ("l", 10),
+        ("m", 10),
+        ("V", 10),
+        ("Va", 45),
+    ] {
+        point
+            .numbers
+            .insert(name.into(), Rational::from_integer(value.into()));
+    }
+    let mut group = criterion.benchmark_group("evaluate");
+    let run = |evaluate: &dyn Fn(&Context)| {
+        let budget = Budget::new(u64::MAX);
+        evaluate(&Context {
+            point: &point,
+            draws: &[],
+            budget: &budget,
+        });
+    };
+    group.bench_function("exact", |b| {
+        b.iter(|| run(&|context| drop(evaluate::exact(black_box(&formula), context))))
+    });
+    for digits in [50, 1000] {
+        group.bench_function(format!("{digits} digits"), |b| {
+            b.iter(|| run(&|context| drop(evaluate::ladder(black_box(&formula), context, digits))))
+        });
+    }
+    group.finish();
+}
+
 fn model(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("moments");
     for k in [10u32, 1_000, 20_000] {
@@ -36,5 +73,5 @@ fn model(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, parsing, model);
+criterion_group!(benches, parsing, evaluation, model);
 criterion_main!(benches);

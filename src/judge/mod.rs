@@ -45,7 +45,7 @@ impl Default for Settings {
         Settings {
             seed: 1,
             digits: 50,
-            budget: 30_000_000,
+            budget: 10_000_000,
             points: 120,
         }
     }
