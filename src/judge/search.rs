@@ -87,7 +87,11 @@ impl Search<'_> {
     /// Tries the relation at every point, and asks the kernel about those where it fails.
     pub fn relation(&self, left: &Formula, relation: Relation, right: &Formula) -> Finding {
         if self.points.is_empty() {
-            return Finding::because(Verdict::Undecided, "no point of the domain was found");
+            let reason = match self.budget.spend(1) {
+                Ok(()) => "no point of the domain was found",
+                Err(_) => "the budget of steps is spent",
+            };
+            return Finding::because(Verdict::Undecided, reason);
         }
         let mut tally = Tally::default();
         for point in self.points {
@@ -126,7 +130,7 @@ impl Search<'_> {
         } else if let Some(why) = tally.unknown.first() {
             Finding::because(
                 Verdict::Undecided,
-                format!("{unknown} points undecided: {why}"),
+                format!("points that cannot be told: {unknown}; {why}"),
             )
         } else {
             Finding::because(
@@ -134,7 +138,7 @@ impl Search<'_> {
                 "neither side has a value at any point tried",
             )
         };
-        finding.extent = extent;
+        finding.extent = extent.filter(|extent| extent.points > 0);
         finding
     }
 

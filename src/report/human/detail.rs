@@ -52,8 +52,8 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
     }
     text.push_str(&format!("  {label:<9} {verdict}\n"));
     line(text, "written", &answer.written);
-    if answer.statement != answer.written {
-        line(text, "unfolded", &answer.statement);
+    if !answer.statement.is_empty() && answer.statement != answer.written {
+        line(text, "unfolded", &answer.statement.replace('\n', "; "));
     }
     optional(text, "because", answer.reason.as_deref());
     if let Some(found) = &answer.witness {
