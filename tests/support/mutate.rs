@@ -1,7 +1,7 @@
 //! Single-edit mutants of a statement, made by walking its tree: the misprints that a checker must catch.
 
 use claimcheck::formula::{Condition, Formula, Name, Operator, Ranged, Statement};
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Every statement that differs from `statement` by one edit: a sign, an exponent, an index, a factor or
 /// a constant. Order terms are left alone (a coarser order is true), and so are limits' targets.
@@ -63,10 +63,14 @@ fn edits(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
 fn here(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
     let binary = Formula::binary;
     match formula {
-        Formula::Number(value) => vec![
-            Formula::Number(value + num_rational::BigRational::one()),
-            Formula::Number(value * num_rational::BigRational::from_integer(2.into())),
-        ],
+        Formula::Number(value) => {
+            let mut all = vec![Formula::Number(value + num_rational::BigRational::one())];
+            if !value.is_zero() {
+                let two = num_rational::BigRational::from_integer(2.into());
+                all.push(Formula::Number(value * two));
+            }
+            all
+        }
         Formula::Name(name) if integers.contains(name) => {
             let mut all = vec![
                 binary(Operator::Add, formula.clone(), Formula::integer(1)),
