@@ -66,12 +66,13 @@ pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Re
     let needs_fault = mended
         .as_ref()
         .and_then(|mended| bench.needs_fault(mended.as_ref().ok()?));
-    let fault = bench.fault(
+    let (fault, clearer) = bench.fault(
         &printed_finding,
         &printed,
         mended.as_ref(),
         mended_finding.as_ref(),
     );
+    let printed_finding = clearer.unwrap_or(printed_finding);
     let mut printed = answer(printed_finding, &printed, &claim.says_text, fault);
     printed.links = bench.links(previous);
     let mended = mended.zip(mended_finding).map(|(mended, finding)| {
@@ -116,32 +117,36 @@ impl Bench<'_> {
         }
     }
 
-    /// A refuted print is at fault in its domain where the same statement holds under `needs`.
+    /// A refuted print is at fault in its domain where the same statement holds under `needs`. Where
+    /// it does not, what refutes it there tells the reader more than a missing condition would.
     fn fault(
         &self,
         finding: &Finding,
         printed: &Result<Proposition, IllTyped>,
         mended: Option<&Result<Proposition, IllTyped>>,
         mended_finding: Option<&Finding>,
-    ) -> Fault {
+    ) -> (Fault, Option<Finding>) {
         let (Verdict::Refuted, Some(_), Ok(printed), Some(Ok(mended))) =
             (finding.verdict, &self.claim.needs, printed, mended)
         else {
-            return Fault::Statement;
+            return (Fault::Statement, None);
         };
-        let holds = if self.claim.mend.is_none() {
-            mended_finding.is_some_and(Finding::positive)
-        } else {
-            let under_needs = Proposition {
-                statement: printed.statement.clone(),
-                ..mended.clone()
+        if self.claim.mend.is_none() {
+            return match mended_finding.is_some_and(Finding::positive) {
+                true => (Fault::Domain, None),
+                false => (Fault::Statement, None),
             };
-            judge_proposition(&under_needs, self.budget, self.settings).positive()
+        }
+        let under_needs = Proposition {
+            statement: printed.statement.clone(),
+            ..mended.clone()
         };
-        if holds {
-            Fault::Domain
+        let clearer = judge_proposition(&under_needs, self.budget, self.settings);
+        if clearer.positive() {
+            (Fault::Domain, None)
         } else {
-            Fault::Statement
+            let refuted = clearer.verdict == Verdict::Refuted;
+            (Fault::Statement, refuted.then_some(clearer))
         }
     }
 
