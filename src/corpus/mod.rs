@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn reports_are_in_book_order_for_any_number_of_threads() {
-        let expected: Vec<String> = (0..100).map(|i| format!("x.{i}")).collect();
+        let expected: Vec<String> = (0..100).map(|i| format!("2.{i}")).collect();
         for jobs in [0, 1, 2, 7] {
             assert_eq!(ids(100, &[], jobs), Ok(expected.clone()));
         }
@@ -155,29 +155,29 @@ mod tests {
 
     #[test]
     fn only_the_chosen_claims_in_book_order() {
-        let expected = ["x.3", "x.17"].map(str::to_owned).to_vec();
-        assert_eq!(ids(100, &["x.17", "x.3"], 1), Ok(expected));
+        let expected = ["2.3", "2.17"].map(str::to_owned).to_vec();
+        assert_eq!(ids(100, &["2.17", "2.3"], 1), Ok(expected));
     }
 
     #[test]
     fn an_unknown_id_names_the_nearest() {
         let unknown = |nearest: Option<&str>| Error::UnknownId {
-            id: "x,17".into(),
+            id: "2,17".into(),
             nearest: nearest.map(str::to_owned),
         };
-        assert_eq!(ids(30, &["x,17"], 1), Err(unknown(Some("x.17"))));
-        assert_eq!(ids(0, &["x,17"], 1), Err(unknown(None)));
+        assert_eq!(ids(30, &["2,17"], 1), Err(unknown(Some("2.17"))));
+        assert_eq!(ids(0, &["2,17"], 1), Err(unknown(None)));
     }
 
     #[test]
     fn a_panic_is_an_error_that_names_the_first_such_claim() {
         let book = book(10);
         let faulty = |claim: &Claim| match &*claim.id {
-            "x.5" | "x.8" => panic!("broken"),
+            "2.5" | "2.8" => panic!("broken"),
             _ => judge::judge(claim, None, &Settings::default()),
         };
         let error = in_parallel(book.claims.iter().collect(), 2, faulty, |_| ());
-        let (id, message) = ("x.5".into(), "broken".into());
+        let (id, message) = ("2.5".into(), "broken".into());
         assert_eq!(error.expect_err("a panic"), Error::Internal { id, message });
     }
 
