@@ -114,6 +114,43 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
     reason
 }
 
+/// Checks that a point of the domain gives values to both sides of each of the links, and none that
+/// contradict it.
+///
+/// # Errors
+/// [`Unknown`] with the reason where that is not so, or not known.
+pub fn check_example(
+    proposition: &Proposition,
+    point: &Point,
+    links: &[usize],
+) -> Result<(), Unknown> {
+    let mut items = Vec::new();
+    collect(&proposition.statement, &mut items);
+    check_names(proposition, point)?;
+    let fuel = full_tank();
+    let scope = Scope::new(point, &proposition.draws, LADDER[1], &fuel);
+    check_domain(proposition, &scope)?;
+    for link in links {
+        let Some(Item::Link {
+            left,
+            relation,
+            right,
+            ..
+        }) = items.get(*link)
+        else {
+            return unknown("the statement has no such link");
+        };
+        let (left, right) = (value_in(left, &scope)?, value_in(right, &scope)?);
+        if left == Value::Undefined || right == Value::Undefined {
+            return unknown("a side has no value at the point");
+        }
+        if let Ok(Some(_)) = compare(left, *relation, right) {
+            return unknown("the link fails at the point");
+        }
+    }
+    Ok(())
+}
+
 /// The links and duties of a statement, from left to right.
 fn collect<'a>(statement: &'a Statement, items: &mut Vec<Item<'a>>) {
     match statement {

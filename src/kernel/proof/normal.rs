@@ -1,0 +1,354 @@
+//! Formulas as quotients of polynomials in their atoms: the normal form of rational arithmetic.
+//!
+//! An atom is whatever is not built by rational arithmetic: a name, `gamma(k)`, an integral. The
+//! normal form says nothing of values: `x/x` is 1 here. It is used for formulas that are known to be
+//! finite, part by part; then every divisor has a value other than 0 and the two agree.
+
+use super::{Proof, Rejected, reject, require};
+use crate::formula::{Formula, Operator, Rational};
+use num_traits::{One, ToPrimitive, Zero};
+use std::collections::{BTreeMap, HashMap};
+
+/// No power beyond this is expanded.
+const EXPONENT_CAP: i64 = 200;
+/// No polynomial of more terms is made.
+const TERMS_CAP: usize = 20_000;
+/// Equations are not put into each other beyond this depth: they may run in a circle.
+const REPLACEMENT_CAP: usize = 40;
+
+/// The atoms of a proof, by number.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Atoms {
+    list: Vec<Formula>,
+    numbers: HashMap<Formula, usize>,
+}
+
+impl Atoms {
+    fn number(&mut self, atom: Formula) -> usize {
+        let next = self.list.len();
+        *self.numbers.entry(atom).or_insert_with_key(|atom| {
+            self.list.push(atom.clone());
+            next
+        })
+    }
+}
+
+/// Atoms with their exponents, all of them positive.
+type Monomial = BTreeMap<usize, u32>;
+
+/// A polynomial with rational coefficients, none of them zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Polynomial(BTreeMap<Monomial, Rational>);
+
+impl Polynomial {
+    fn constant(value: Rational) -> Polynomial {
+        Polynomial::term(Monomial::new(), value)
+    }
+
+    fn term(monomial: Monomial, coefficient: Rational) -> Polynomial {
+        let terms = [(monomial, coefficient)];
+        Polynomial(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect())
+    }
+
+    fn as_constant(&self) -> Option<Rational> {
+        match self.0.first_key_value() {
+            None => Some(Rational::zero()),
+            Some((monomial, c)) if self.0.len() == 1 && monomial.is_empty() => Some(c.clone()),
+            Some(_) => None,
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
+        let entry = self.0.entry(monomial);
+        let sum = entry.or_insert_with(Rational::zero);
+        *sum += coefficient;
+    }
+
+    fn plus(mut self, other: &Polynomial) -> Polynomial {
+        for (monomial, c) in &other.0 {
+            self.add_term(monomial.clone(), c.clone());
+        }
+        self.0.retain(|_, c| !c.is_zero());
+        self
+    }
+
+    fn times(&self, other: &Polynomial) -> Result<Polynomial, Rejected> {
+        let size = self.0.len().saturating_mul(other.0.len());
+        require(size <= TERMS_CAP, "a polynomial with too many terms")?;
+        let mut product = Polynomial::default();
+        for (m, c) in &self.0 {
+            for (n, d) in &other.0 {
+                let mut both = m.clone();
+                for (atom, exponent) in n {
+                    *both.entry(*atom).or_insert(0) += exponent;
+                }
+                product.add_term(both, c * d);
+            }
+        }
+        product.0.retain(|_, c| !c.is_zero());
+        Ok(product)
+    }
+
+    fn power(&self, exponent: u32) -> Result<Polynomial, Rejected> {
+        let mut result = Polynomial::constant(Rational::one());
+        for _ in 0..exponent {
+            result = result.times(self)?;
+        }
+        Ok(result)
+    }
+}
+
+/// A quotient: the product of the factors below, each to its exponent, is the denominator.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Fraction {
+    above: Polynomial,
+    below: BTreeMap<Polynomial, u32>,
+}
+
+impl Fraction {
+    fn of(above: Polynomial) -> Fraction {
+        Fraction {
+            above,
+            below: BTreeMap::new(),
+        }
+    }
+
+    pub fn constant(value: Rational) -> Fraction {
+        Fraction::of(Polynomial::constant(value))
+    }
+
+    pub fn is_zero(&self) -> bool {
+        self.above.is_zero()
+    }
+
+    pub fn as_constant(&self) -> Option<Rational> {
+        self.above
+            .as_constant()
+            .filter(|value| value.is_zero() || self.below.is_empty())
+    }
+
+    pub fn as_integer(&self) -> Option<i64> {
+        self.as_constant().filter(Rational::is_integer)?.to_i64()
+    }
+
+    pub fn negated(&self) -> Fraction {
+        let above = self.above.0.iter().map(|(m, c)| (m.clone(), -c)).collect();
+        Fraction {
+            above: Polynomial(above),
+            below: self.below.clone(),
+        }
+    }
+
+    /// The numerator over a denominator that has at least these factors.
+    fn over(&self, below: &BTreeMap<Polynomial, u32>) -> Result<Polynomial, Rejected> {
+        let mut above = self.above.clone();
+        for (factor, exponent) in below {
+            let own = self.below.get(factor).copied().unwrap_or(0);
+            above = above.times(&factor.power(exponent - own)?)?;
+        }
+        Ok(above)
+    }
+
+    /// The factors of both denominators.
+    fn common(&self, other: &Fraction) -> BTreeMap<Polynomial, u32> {
+        let mut below = self.below.clone();
+        for (factor, exponent) in &other.below {
+            let own = below.entry(factor.clone()).or_insert(0);
+            *own = (*own).max(*exponent);
+        }
+        below
+    }
+
+    pub fn plus(&self, other: &Fraction) -> Result<Fraction, Rejected> {
+        let below = self.common(other);
+        let above = self.over(&below)?.plus(&other.over(&below)?);
+        Ok(Fraction { above, below })
+    }
+
+    pub fn minus(&self, other: &Fraction) -> Result<Fraction, Rejected> {
+        self.plus(&other.negated())
+    }
+
+    pub fn times(&self, other: &Fraction) -> Result<Fraction, Rejected> {
+        let mut below = self.below.clone();
+        for (factor, exponent) in &other.below {
+            *below.entry(factor.clone()).or_insert(0) += exponent;
+        }
+        let above = self.above.times(&other.above)?;
+        Ok(Fraction { above, below })
+    }
+
+    /// One over it; a constant factor is kept above.
+    fn inverse(&self) -> Result<Fraction, Rejected> {
+        require(!self.is_zero(), "a division by what is 0")?;
+        let mut above = Polynomial::constant(Rational::one());
+        for (factor, exponent) in &self.below {
+            above = above.times(&factor.power(*exponent)?)?;
+        }
+        if let Some(value) = self.above.as_constant() {
+            let inverse = Polynomial::constant(value.recip());
+            return Ok(Fraction::of(above.times(&inverse)?));
+        }
+        Ok(Fraction {
+            above,
+            below: BTreeMap::from([(self.above.clone(), 1)]),
+        })
+    }
+
+    fn power(&self, exponent: i64) -> Result<Fraction, Rejected> {
+        require(exponent.abs() <= EXPONENT_CAP, "a power too high to expand")?;
+        let base = if exponent < 0 {
+            self.inverse()?
+        } else {
+            self.clone()
+        };
+        let exponent = exponent.unsigned_abs() as u32;
+        let below = base
+            .below
+            .into_iter()
+            .map(|(factor, e)| (factor, e * exponent));
+        let below = below.filter(|(_, e)| *e > 0).collect();
+        Ok(Fraction {
+            above: base.above.power(exponent)?,
+            below,
+        })
+    }
+
+    /// Whether the two are equal as rational functions of their atoms.
+    pub fn equals(&self, other: &Fraction) -> Result<bool, Rejected> {
+        Ok(self.minus(other)?.is_zero())
+    }
+}
+
+/// Equations, by the number of the atom on their left.
+pub(super) type Equations = HashMap<usize, Formula>;
+
+impl Proof<'_> {
+    /// The normal form.
+    pub(super) fn normal(&self, formula: &Formula) -> Result<Fraction, Rejected> {
+        self.normal_with(formula, &Equations::new(), 0)
+    }
+
+    /// Whether two formulas have equal normal forms.
+    pub(super) fn same_normal(&self, a: &Formula, b: &Formula) -> Result<bool, Rejected> {
+        self.normal(a)?.equals(&self.normal(b)?)
+    }
+
+    /// The normal form once every atom on the left of an equation is replaced by its right.
+    pub(super) fn normal_with(
+        &self,
+        formula: &Formula,
+        equations: &Equations,
+        depth: usize,
+    ) -> Result<Fraction, Rejected> {
+        self.spend(1)?;
+        require(depth <= REPLACEMENT_CAP, "equations that run in a circle")?;
+        let normal = |part: &Formula| self.normal_with(part, equations, depth);
+        match formula {
+            Formula::Number(value) => Ok(Fraction::constant(value.clone())),
+            Formula::Negate(a) => Ok(normal(a)?.negated()),
+            Formula::Binary(Operator::Add, a, b) => self.paid(normal(a)?.plus(&normal(b)?)?),
+            Formula::Binary(Operator::Subtract, a, b) => self.paid(normal(a)?.minus(&normal(b)?)?),
+            Formula::Binary(Operator::Multiply, a, b) => self.paid(normal(a)?.times(&normal(b)?)?),
+            Formula::Binary(Operator::Divide, a, b) => {
+                self.paid(normal(a)?.times(&normal(b)?.inverse()?)?)
+            }
+            Formula::Binary(Operator::Power, a, b) => match normal(b)?.as_integer() {
+                Some(exponent) => self.paid(normal(a)?.power(exponent)?),
+                None => self.atom(formula, equations, depth),
+            },
+            Formula::BigO(_) | Formula::LittleO(_) | Formula::Truth(_) | Formula::Infinity => {
+                reject("what is no number in a number's place")
+            }
+            _ => self.atom(formula, equations, depth),
+        }
+    }
+
+    /// Takes the size of a result from the store of work.
+    fn paid(&self, fraction: Fraction) -> Result<Fraction, Rejected> {
+        self.spend(fraction.above.0.len() as u64)?;
+        Ok(fraction)
+    }
+
+    /// An atom: what an equation puts for it, with or without the equations applied to its
+    /// arguments, or else itself.
+    fn atom(
+        &self,
+        formula: &Formula,
+        equations: &Equations,
+        depth: usize,
+    ) -> Result<Fraction, Rejected> {
+        let mut number = self.atom_number(formula, &Equations::new(), depth)?;
+        if !equations.is_empty() {
+            if !equations.contains_key(&number) {
+                number = self.atom_number(formula, equations, depth)?;
+            }
+            if let Some(right) = equations.get(&number) {
+                return self.normal_with(right, equations, depth + 1);
+            }
+        }
+        let monomial = Monomial::from([(number, 1)]);
+        Ok(Fraction::of(Polynomial::term(monomial, Rational::one())))
+    }
+
+    /// The number of an atom. Arguments of functions are brought to normal form: where the atom is
+    /// finite so are they, and equal normal forms are equal numbers.
+    pub(super) fn atom_number(
+        &self,
+        formula: &Formula,
+        equations: &Equations,
+        depth: usize,
+    ) -> Result<usize, Rejected> {
+        let written = |part: &Formula| -> Result<Formula, Rejected> {
+            Ok(self.written(&self.normal_with(part, equations, depth)?))
+        };
+        let atom = match formula {
+            Formula::Factorial(a) => Formula::Factorial(Box::new(written(a)?)),
+            Formula::Binary(operator, a, b) => Formula::binary(*operator, written(a)?, written(b)?),
+            Formula::Call(function, parts) => Formula::Call(
+                *function,
+                parts.iter().map(written).collect::<Result<_, _>>()?,
+            ),
+            Formula::Apply(name, parts) => Formula::Apply(
+                name.clone(),
+                parts.iter().map(written).collect::<Result<_, _>>()?,
+            ),
+            _ => formula.clone(),
+        };
+        Ok(self.atoms.borrow_mut().number(atom))
+    }
+
+    /// A formula for a normal form; used as a key only.
+    fn written(&self, fraction: &Fraction) -> Formula {
+        let mut below = Formula::integer(1);
+        for (factor, exponent) in &fraction.below {
+            let exponent = Formula::integer((*exponent).into());
+            let power = Formula::binary(Operator::Power, self.polynomial(factor), exponent);
+            below = Formula::binary(Operator::Multiply, below, power);
+        }
+        let above = self.polynomial(&fraction.above);
+        match fraction.below.is_empty() {
+            true => above,
+            false => Formula::binary(Operator::Divide, above, below),
+        }
+    }
+
+    fn polynomial(&self, polynomial: &Polynomial) -> Formula {
+        let atoms = self.atoms.borrow();
+        let mut sum = Formula::integer(0);
+        for (monomial, coefficient) in &polynomial.0 {
+            let mut term = Formula::Number(coefficient.clone());
+            for (atom, exponent) in monomial {
+                let exponent = Formula::integer((*exponent).into());
+                let power = Formula::binary(Operator::Power, atoms.list[*atom].clone(), exponent);
+                term = Formula::binary(Operator::Multiply, term, power);
+            }
+            sum = Formula::binary(Operator::Add, sum, term);
+        }
+        sum
+    }
+}

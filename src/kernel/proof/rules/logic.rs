@@ -1,0 +1,198 @@
+//! The rules of logic, order and rational arithmetic.
+
+use super::super::known::minus;
+use super::super::normal::Equations;
+use super::super::{Fact, Proof, reject, require};
+use super::{Check, Checked, need};
+use crate::formula::{Formula, Operator, Point, free_functions, free_names};
+use crate::kernel::{Value, value};
+use num_traits::One;
+
+/// The bits for values of closed formulas; an exact value needs none of them.
+const BITS: u32 = 64;
+
+impl Check<'_, '_> {
+    pub(super) fn given(&self) -> Checked {
+        let conditions = self.proof.proposition.domain.iter();
+        let mut facts = conditions.filter_map(Fact::of_condition).flatten();
+        require(
+            facts.any(|fact| fact == *self.fact),
+            "the domain does not say so",
+        )?;
+        self.fact
+            .sides()
+            .into_iter()
+            .try_for_each(|side| self.is_finite(side))
+    }
+
+    pub(super) fn finite(&self) -> Checked {
+        match self.fact {
+            Fact::Integer(e) => self.is_integer(e),
+            Fact::Finite(e) if self.premises.is_empty() => self.is_finite(e),
+            Fact::Finite(e) => match self.plain(0)? {
+                Fact::Same(a, b) if a == e => self.is_finite(b),
+                Fact::Same(a, b) if b == e => self.is_finite(a),
+                _ => reject("the premise is no equation for the formula"),
+            },
+            _ => reject("the rule concludes that a formula is finite"),
+        }
+    }
+
+    pub(super) fn order(&self) -> Checked {
+        let (Fact::Less(a, b) | Fact::AtMost(a, b) | Fact::Different(a, b)) = self.fact else {
+            return reject("the rule concludes a relation");
+        };
+        self.is_finite(a)?;
+        self.is_finite(b)?;
+        let difference = minus(b, a);
+        let shown = self.arguments.first().unwrap_or(&difference);
+        match self.fact {
+            Fact::Less(..) => self.is_positive(shown)?,
+            Fact::AtMost(..) => self.is_nonnegative(shown)?,
+            _ => self.is_nonzero(shown)?,
+        }
+        self.is_same(shown, &difference)
+    }
+
+    /// The two are equal as rational functions.
+    pub(super) fn is_same(&self, a: &Formula, b: &Formula) -> Checked {
+        let same = self.proof.same_normal(a, b)?;
+        require(same, "the two are not equal as rational functions")
+    }
+
+    pub(super) fn gap(&self) -> Checked {
+        let Fact::AtMost(a, b) = self.fact else {
+            return reject("the rule concludes a <= b");
+        };
+        self.is_integer(a)?;
+        self.is_integer(b)?;
+        let wider = Formula::binary(Operator::Add, minus(b, a), Formula::integer(1));
+        let shown = self.arguments.first().unwrap_or(&wider);
+        self.is_positive(shown)?;
+        self.is_same(shown, &wider)
+    }
+
+    pub(super) fn ring(&self) -> Checked {
+        let (a, b) = self.equation()?;
+        self.is_finite(a)?;
+        self.is_finite(b)?;
+        let proof: &Proof = self.proof;
+        let mut equations = Equations::new();
+        for index in 0..self.premises.len() {
+            let Fact::Same(left, right) = self.plain(index)? else {
+                return reject("a premise is no equation");
+            };
+            self.is_finite(right)?;
+            // The parts of an atom are brought to normal form too, so they must be finite.
+            if !matches!(
+                left,
+                Formula::Ranged(_) | Formula::Mean(..) | Formula::Limit(..)
+            ) {
+                self.is_finite(left)?;
+            }
+            let atom = proof.atom_number(left, &Equations::new(), 0)?;
+            equations.insert(atom, right.clone());
+        }
+        let a = proof.normal_with(a, &equations, 0)?;
+        let b = proof.normal_with(b, &equations, 0)?;
+        require(
+            a.equals(&b)?,
+            "the sides are not equal as rational functions",
+        )
+    }
+
+    pub(super) fn chain(&self) -> Checked {
+        let (a, b) = self.equation()?;
+        let mut reached = a;
+        for index in 0..self.premises.len() {
+            reached = match self.plain(index)? {
+                Fact::Same(from, to) if from == reached => to,
+                Fact::Same(to, from) if from == reached => to,
+                _ => return reject("the premises do not join"),
+            };
+        }
+        require(reached == b, "the premises end elsewhere")
+    }
+
+    pub(super) fn none(&self) -> Checked {
+        match self.fact {
+            Fact::Undefined(e) => need(self.proof.undefined(e), e, "without value"),
+            Fact::Same(a, b) => {
+                need(self.proof.undefined(a), a, "without value")?;
+                need(self.proof.undefined(b), b, "without value")
+            }
+            _ => reject("the rule concludes that there is no value"),
+        }
+    }
+
+    pub(super) fn compute(&self) -> Checked {
+        let (Fact::Same(e, _) | Fact::Undefined(e)) = self.fact else {
+            return reject("the rule concludes a value, or that there is none");
+        };
+        let closed = free_names(e).is_empty() && free_functions(e).is_empty();
+        require(closed, "a formula with names has no one value")?;
+        let found = match value(e, &Point::default(), &[], BITS) {
+            Ok(found) => found,
+            Err(_) => return reject("the value is not found"),
+        };
+        match (self.fact, found) {
+            (Fact::Undefined(_), Value::Undefined) => Ok(()),
+            (Fact::Same(_, q), Value::Finite { low, high }) if low == high => {
+                let stated = self.proof.normal(q)?.as_constant();
+                require(stated == Some(low), "the value is another")
+            }
+            _ => reject("the value is no such"),
+        }
+    }
+
+    pub(super) fn cases(&self) -> Checked {
+        let (one, other) = (self.premise(0)?, self.premise(1)?);
+        let alike = one.fact == self.fact && other.fact == self.fact;
+        require(alike, "the two cases do not end alike")?;
+        let fixed = one.variables.is_empty() && other.variables.is_empty();
+        require(fixed, "a case fixes no variables")?;
+        let ([p], [q]) = (one.hypotheses.as_slice(), other.hypotheses.as_slice()) else {
+            return reject("a case supposes one fact");
+        };
+        require(
+            p.negation().as_ref() == Some(q),
+            "the second case is not the first's negation",
+        )?;
+        p.sides()
+            .into_iter()
+            .try_for_each(|side| self.is_finite(side))
+    }
+
+    pub(super) fn instance(&self) -> Checked {
+        let premise = self.premise(0)?;
+        let count = premise.variables.len() == self.arguments.len();
+        require(count, "an argument for each variable")?;
+        let mut values = Vec::new();
+        for (variable, argument) in premise.variables.iter().zip(self.arguments) {
+            match variable.integer {
+                true => self.is_integer(argument)?,
+                false => self.is_finite(argument)?,
+            }
+            values.push((variable.name.clone(), argument.clone()));
+        }
+        for hypothesis in premise.hypotheses {
+            let here = hypothesis.substituted(&values)?;
+            require(
+                self.proof.holds(&here)?,
+                "what the premise supposes is not known here",
+            )?;
+        }
+        let found = premise.fact.substituted(&values)?;
+        require(found == *self.fact, "the instance is another fact")
+    }
+
+    /// Whether a formula is the number 1 by arithmetic.
+    pub(super) fn is_one(&self, e: &Formula) -> Result<bool, super::Rejected> {
+        Ok(self.proof.finite(e)?
+            && self
+                .proof
+                .normal(e)?
+                .as_constant()
+                .is_some_and(|q| q.is_one()))
+    }
+}
