@@ -47,7 +47,11 @@ impl Check<'_, '_> {
         let difference = minus(b, a);
         let shown = self.arguments.first().unwrap_or(&difference);
         match self.fact {
-            Fact::Less(..) => self.is_positive(shown)?,
+            Fact::Less(..) if self.is_positive(shown).is_ok() => {}
+            Fact::Less(..) => {
+                self.is_nonnegative(shown)?;
+                self.is_nonzero(shown)?;
+            }
             Fact::AtMost(..) => self.is_nonnegative(shown)?,
             _ => self.is_nonzero(shown)?,
         }
@@ -138,6 +142,7 @@ impl Check<'_, '_> {
         match (self.fact, found) {
             (Fact::Undefined(_), Value::Undefined) => Ok(()),
             (Fact::Same(_, q), Value::Finite { low, high }) if low == high => {
+                self.is_finite(q)?;
                 let stated = self.proof.normal(q)?.as_constant();
                 require(stated == Some(low), "the value is another")
             }
