@@ -262,14 +262,12 @@ fn attack(script: &Script, mutant: &Mutant, all: &[Script], dice: &mut Dice) -> 
                 .lines
                 .iter_mut()
                 .for_each(|line| needs(line, mutant));
-            attacked.lines.remove(at);
+            drop_line(&mut attacked, at);
         }
-        6 => {
-            attacked.lines.remove(at);
-        }
+        6 => drop_line(&mut attacked, at),
         7 => {
             let line = attacked.lines[at].clone();
-            attacked.lines.insert(at, line);
+            insert_line(&mut attacked, at, line);
         }
         8 => {
             let with = some(dice, &attacked.lines);
