@@ -1,6 +1,6 @@
 //! The rules of Gamma and its kin, of powers and of logarithms.
 
-use super::super::known::minus;
+use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked};
 use crate::formula::{Formula, Function, Operator};
@@ -197,7 +197,7 @@ impl<'a> Check<'a, '_> {
         require(p == q, "the exponents are the same")?;
         self.is_positive(p)?;
         self.is_nonnegative(a)?;
-        let width = minus(b, a);
+        let width = above(a, b);
         match self.fact {
             Fact::Less(..) => self.is_positive(&width),
             _ => self.is_nonnegative(&width),
