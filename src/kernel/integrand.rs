@@ -35,7 +35,9 @@ pub(super) fn over_range(
 ) -> Result<Value, Unknown> {
     let (from, to) = ends;
     match from.compare(to) {
-        Some(Ordering::Equal) => return at_one_place(body, name, from, scope),
+        // A point has no length, whatever the integrand is there.
+        Some(Ordering::Equal) if from.finite().is_some() => return Ok(Value::exact(0)),
+        Some(Ordering::Equal) => return unknown("an integral from infinity to infinity"),
         Some(Ordering::Greater) => {
             return Ok(over_range(body, weight, name, (to, from), scope)?.negated());
         }
@@ -57,18 +59,6 @@ pub(super) fn over_range(
         pieces.push(integral(&f, &pair[0], &pair[1], scope.bits)?);
     }
     sum_of_pieces(&pieces, scope.bits)
-}
-
-/// The integral between equal ends: 0, where the integrand is one at all.
-fn at_one_place(body: &Formula, name: &Name, at: &Value, scope: &Scope) -> Result<Value, Unknown> {
-    let Some(sample) = at.finite().and_then(|at| at.as_exact().cloned()) else {
-        return unknown("an integral from infinity to infinity");
-    };
-    let sample = Some(sample);
-    match fraction(body, &Variable { name, sample }, scope)? {
-        Some(_) => Ok(Value::exact(0)),
-        None => Ok(Value::Undefined),
-    }
 }
 
 /// Infinite pieces add to pieces that are infinite alike only: elsewhere the integrand may change

@@ -6,15 +6,24 @@
 
 #![allow(dead_code)] // until the tactics use all of it
 
+mod atoms;
+mod border;
 mod builder;
 mod equal;
+mod factor;
 mod field;
 mod finite;
 mod form;
+mod generators;
 mod handelman;
 mod known;
+mod logs;
+mod monotone;
 mod order;
+mod powers;
 mod prune;
+mod roots;
+mod shifts;
 mod simplex;
 #[cfg(test)]
 mod tests;

@@ -116,6 +116,7 @@ impl<'a> Check<'a, '_> {
         let Formula::Binary(Power, base, p) = left else {
             return reject("the rule is for powers and square roots");
         };
+        self.is_finite(p)?;
         if let Formula::Number(_) = right {
             return self.trivial_power(base, p);
         }
@@ -181,7 +182,6 @@ impl<'a> Check<'a, '_> {
             self.is_positive(p)?;
             return self.concludes(&Formula::integer(0));
         }
-        self.is_finite(p)?;
         require(self.is_one(base)?, "a power of what is neither 0 nor 1")?;
         self.concludes(&Formula::integer(1))
     }

@@ -112,7 +112,7 @@ fn order() {
     yes("9: 0 < (k - 1)^2 + x | order");
     yes("9: 0 <= (x - y)^2 | order");
     yes("9: 0 < (-x)^2 | order");
-    yes("9: 0 < pi*x! | order");
+    yes("9: 0 < pi*k! | order");
 }
 
 #[test]
