@@ -26,7 +26,7 @@ mod witness;
 
 pub use interval::Value;
 pub use value::value;
-pub use witness::{Because, Refutation, Witness, check_witness};
+pub use witness::{Because, Refutation, Witness, check_example, check_witness};
 
 /// The kernel cannot tell, and why. It says nothing about the formula or the statement.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -4,7 +4,7 @@
 //! is enough: its parameters are of their types, all conditions of the domain are certainly true
 //! and all laws valid there, and one link fails.
 
-use super::condition::holds;
+use super::condition::{holds, relate};
 use super::integrand::relation_allows;
 use super::interval::{Interval, Value};
 use super::law;
@@ -112,6 +112,59 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
         }
     }
     reason
+}
+
+/// Checks that a statement says something at a point: it is certainly in the domain with all laws
+/// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
+/// which are not proved to contradict the link.
+///
+/// # Errors
+/// [`Unknown`] with the reason where that is not proved.
+pub fn check_example(
+    proposition: &Proposition,
+    point: &Point,
+    links: &[usize],
+) -> Result<(), Unknown> {
+    let mut items = Vec::new();
+    collect(&proposition.statement, &mut items);
+    check_names(proposition, point)?;
+    let mut reason = unknown("no bits were tried");
+    for bits in LADDER {
+        let fuel = full_tank();
+        let scope = Scope::new(point, &proposition.draws, bits, &fuel);
+        let example = |link: &usize| match items.get(*link) {
+            Some(Item::Link {
+                left,
+                relation,
+                right,
+                ..
+            }) => agreement(left, *relation, right, &scope),
+            _ => unknown("the statement has no such link"),
+        };
+        reason =
+            check_domain(proposition, &scope).and_then(|()| links.iter().try_for_each(example));
+        if reason.is_ok() {
+            break;
+        }
+    }
+    reason
+}
+
+/// Both sides have a value, and the relation between them is not seen to fail.
+fn agreement(
+    left: &Formula,
+    relation: Relation,
+    right: &Formula,
+    scope: &Scope,
+) -> Result<(), Unknown> {
+    let (left, right) = (value_in(left, scope)?, value_in(right, scope)?);
+    if left == Value::Undefined || right == Value::Undefined {
+        return unknown("a side without value");
+    }
+    match relate(&left, relation, &right) {
+        Ok(false) => unknown("the two sides contradict the relation"),
+        _ => Ok(()),
+    }
 }
 
 /// The links and duties of a statement, from left to right.
@@ -481,6 +534,31 @@ mod tests {
         assert!(check(hidden, &[("k", "2")], 0).is_err());
         let text = "given int k\ndomain k >= 1\nsays 1/k ~ 2/k as k -> inf";
         assert!(check(text, &[("k", "2")], 0).is_err());
+    }
+
+    #[test]
+    fn examples_have_two_values_that_agree() {
+        let example = |numbers: &[(&str, &str)], links: &[usize]| {
+            let proposition = parse_proposition(VARIANCE).expect(VARIANCE);
+            check_example(&proposition, &point(numbers), links).is_ok()
+        };
+        assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[0]));
+        assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[]));
+        for (k, n) in [("1", "2"), ("2", "2"), ("5", "4"), ("5/2", "4")] {
+            assert!(!example(&[("k", k), ("n", n), ("I", "1")], &[0]));
+        }
+        assert!(!example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[1]));
+        let text = "given real x\nsays ln(x) == ln(x) < 2 and int(1/t, t = 0..x) == inf";
+        let proposition = parse_proposition(text).expect(text);
+        for (x, links, holds) in [
+            ("3", vec![0, 1, 2], true),
+            ("9", vec![0, 2], true),
+            ("9", vec![0, 1], false),
+            ("0", vec![0], false),
+        ] {
+            let found = check_example(&proposition, &point(&[("x", x)]), &links);
+            assert_eq!(found.is_ok(), holds, "{x} {links:?}");
+        }
     }
 
     #[test]
