@@ -5,16 +5,12 @@ use super::judging::Judging;
 use super::output::{Exit, Failure, to_stdout};
 use crate::report::{human::detail, json};
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 
 /// Tells all about one claim: its statement as written and unfolded, verdict, evidence, witness
 #[derive(Debug, Args)]
 pub(super) struct Explain {
     /// The claim
     id: String,
-    /// Chapters, or folders of chapters [default: proofs]
-    #[arg(value_name = "PATH")]
-    paths: Vec<PathBuf>,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
     #[command(flatten)]
@@ -29,7 +25,7 @@ enum Format {
 
 impl Explain {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let run = self.judging.run(&self.paths, vec![self.id])?;
+        let run = self.judging.run(vec![self.id], false)?;
         let text = match self.format {
             Format::Human => run.reports.iter().map(detail::render).collect(),
             Format::Json => json::render(&run).map_err(unwritable)?,

@@ -40,6 +40,14 @@ impl Failure {
     }
 }
 
+/// A fault of ours, not of the user's.
+pub(super) fn internal(message: &str) -> Failure {
+    Failure {
+        exit: Exit::Internal,
+        ..Failure::input(&format!("internal fault: {message}"), None)
+    }
+}
+
 /// Prints a report on stdout. A reader who has seen enough (`| head`) is no error.
 pub(super) fn to_stdout(text: &str) -> Result<(), Failure> {
     let mut stream = anstream::stdout().lock();
