@@ -116,7 +116,7 @@ fn here(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
 }
 
 /// The parts that are edited, in order.
-fn children(formula: &Formula) -> Vec<&Formula> {
+pub fn children(formula: &Formula) -> Vec<&Formula> {
     match formula {
         Formula::Apply(_, arguments) | Formula::Call(_, arguments) => arguments.iter().collect(),
         Formula::Negate(inner)
@@ -141,7 +141,7 @@ fn children(formula: &Formula) -> Vec<&Formula> {
 }
 
 /// `formula` with one of its [`children`] replaced.
-fn with_child(formula: &Formula, index: usize, child: Formula) -> Formula {
+pub fn with_child(formula: &Formula, index: usize, child: Formula) -> Formula {
     let replaced = |arguments: &[Formula]| {
         let mut arguments = arguments.to_vec();
         arguments[index] = child.clone();

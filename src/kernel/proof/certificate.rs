@@ -370,7 +370,7 @@ fn rational(formula: &Formula) -> Option<Rational> {
 
 /// The labels read so far, and the steps that they stand for.
 #[derive(Default)]
-struct Labels {
+pub(super) struct Labels {
     steps: HashMap<String, Step>,
     next: Step,
 }
@@ -399,7 +399,7 @@ impl Labels {
         Fact::parse(fact.trim()).map_err(|error| error.to_string())
     }
 
-    fn line(&mut self, text: &str) -> Result<Line, String> {
+    pub fn line(&mut self, text: &str) -> Result<Line, String> {
         if text == "}" {
             return Ok(Line::Close);
         }

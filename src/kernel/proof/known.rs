@@ -44,11 +44,19 @@ impl Proof<'_> {
         self.sees(|proved| Ok(proved.fact == *fact))
     }
 
-    /// Whether a relation in sight has this `b - a`.
-    fn sees_difference(&self, formula: &Formula, allows: fn(&Fact) -> bool) -> Known {
+    /// Whether the formula is a number with this sign, or a relation in sight has it as its `b - a`.
+    fn seen_as(
+        &self,
+        formula: &Formula,
+        sign: fn(&Rational) -> bool,
+        allows: fn(&Fact) -> bool,
+    ) -> Known {
         let Ok(wanted) = self.normal(formula) else {
             return self.spend(1).map(|()| false);
         };
+        if let Some(number) = wanted.as_constant() {
+            return Ok(sign(&number));
+        }
         self.sees(|proved| match &proved.difference {
             Some(difference) if allows(&proved.fact) => difference.equals(&wanted),
             _ => Ok(false),
@@ -178,7 +186,6 @@ impl Proof<'_> {
     pub(super) fn positive(&self, formula: &Formula) -> Known {
         self.spend(1)?;
         let by_structure = match formula {
-            Formula::Number(value) => value.is_positive(),
             Formula::Pi | Formula::Factorial(_) => true,
             Formula::Binary(Operator::Add, a, b) => {
                 (self.positive(a)? && self.nonnegative(b)?)
@@ -194,14 +201,14 @@ impl Proof<'_> {
             Formula::Call(Function::Beta, _) => true,
             _ => false,
         };
-        Ok(by_structure || self.sees_difference(formula, |fact| matches!(fact, Fact::Less(..)))?)
+        let allows = |fact: &Fact| matches!(fact, Fact::Less(..));
+        Ok(by_structure || self.seen_as(formula, Rational::is_positive, allows)?)
     }
 
     /// Whether a finite formula is at least 0.
     pub(super) fn nonnegative(&self, formula: &Formula) -> Known {
         self.spend(1)?;
         let by_structure = match formula {
-            Formula::Number(value) => !value.is_negative(),
             Formula::Indicator(_) | Formula::Call(Function::Sqrt, _) => true,
             Formula::Apply(name, _) => self.is_density(name),
             Formula::Binary(Operator::Add | Operator::Multiply | Operator::Divide, a, b) => {
@@ -210,8 +217,9 @@ impl Proof<'_> {
             Formula::Binary(Operator::Power, a, b) => is_even(b) || self.nonnegative(a)?,
             _ => false,
         };
-        let allows: fn(&Fact) -> bool = |fact| matches!(fact, Fact::Less(..) | Fact::AtMost(..));
-        Ok(by_structure || self.positive(formula)? || self.sees_difference(formula, allows)?)
+        let allows = |fact: &Fact| matches!(fact, Fact::Less(..) | Fact::AtMost(..));
+        let sign = |number: &Rational| !number.is_negative();
+        Ok(by_structure || self.positive(formula)? || self.seen_as(formula, sign, allows)?)
     }
 
     fn is_density(&self, name: &Name) -> bool {
@@ -230,7 +238,6 @@ impl Proof<'_> {
     pub(super) fn nonzero(&self, formula: &Formula) -> Known {
         self.spend(1)?;
         let by_structure = match formula {
-            Formula::Number(value) => !value.is_zero(),
             Formula::Negate(a) => self.nonzero(a)?,
             Formula::Binary(Operator::Multiply | Operator::Divide, a, b) => {
                 self.nonzero(a)? && self.nonzero(b)?
@@ -241,9 +248,10 @@ impl Proof<'_> {
         if by_structure || self.positive(formula)? {
             return Ok(true);
         }
-        let allows: fn(&Fact) -> bool = |fact| matches!(fact, Fact::Less(..) | Fact::Different(..));
+        let allows = |fact: &Fact| matches!(fact, Fact::Less(..) | Fact::Different(..));
+        let sign = |number: &Rational| !number.is_zero();
         let negated = Formula::Negate(Box::new(formula.clone()));
-        Ok(self.sees_difference(formula, allows)? || self.sees_difference(&negated, allows)?)
+        Ok(self.seen_as(formula, sign, allows)? || self.seen_as(&negated, sign, allows)?)
     }
 
     /// Whether a formula is finite with the value 0: by arithmetic, or by an equation in sight.

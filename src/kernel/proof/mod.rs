@@ -16,6 +16,8 @@ mod known;
 mod normal;
 mod rule;
 mod rules;
+#[cfg(test)]
+mod tests;
 
 pub use certificate::{Certificate, Flaw, Line, Script, Shown, parse, replay};
 pub use derivative::derive;

@@ -233,11 +233,6 @@ impl Proof<'_> {
         self.normal_with(formula, &Equations::new(), 0)
     }
 
-    /// Whether two formulas have equal normal forms.
-    pub(super) fn same_normal(&self, a: &Formula, b: &Formula) -> Result<bool, Rejected> {
-        self.normal(a)?.equals(&self.normal(b)?)
-    }
-
     /// The normal form once every atom on the left of an equation is replaced by its right.
     pub(super) fn normal_with(
         &self,

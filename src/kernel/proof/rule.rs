@@ -43,10 +43,12 @@ rules! {
     /// `e == t` too, where t is finite.
     Finite "finite" "",
     /// `a < b`, `a <= b` or `a != b`, where the argument (or `b - a` without one) is equal to `b - a`
-    /// as a rational function and positive, nonnegative or nonzero by its structure.
+    /// as a rational function and positive (or both nonnegative and nonzero), nonnegative, or nonzero
+    /// by its structure; premises are equations, as for `ring`. `a == b` where both `b - a` and `a - b`
+    /// are nonnegative.
     Order "order" "",
     /// `a <= b` for integers, where the argument is equal to `b - a + 1` as a rational function and
-    /// positive by its structure.
+    /// positive by its structure; premises are equations, as for `ring`.
     Gap "gap" "",
     /// `a == b` for finite a and b that are equal as rational functions of their atoms, once the
     /// left sides of the premises are replaced by their right sides.
@@ -124,8 +126,9 @@ rules! {
     /// `ln(sqrt(a)) == ln(a)/2`, a and b positive.
     Logarithm "logarithm" "DLMF 4.8(i)",
     /// `a^p == a^q*a^r` where `p == q + r`, `(a^p)^q == a^r` where `r == p*q`,
-    /// `(a*b)^p == a^p*b^p`, `(a/b)^p == a^p/b^p`: with positive bases, or nonzero ones and integer
-    /// exponents, or integer exponents >= 0 (b nonzero in a quotient). `sqrt(a) == a^(1/2)`, a nonnegative.
+    /// `(a*b)^p == a^p*b^p`, `(a/b)^p == a^p/b^p`: with positive bases; or nonnegative ones
+    /// and positive exponents; or nonzero ones and integer exponents; or integer exponents >= 0 (b
+    /// nonzero in a quotient). `sqrt(a) == a^(1/2)`, a nonnegative.
     /// `a^p == 0` where `a == 0` and p is positive. `a^p == 1` where `a == 1`.
     Power "power" "DLMF 4.2(iv)",
     /// `a^p < b^p` for `0 <= a < b`, `a^p <= b^p` for `0 <= a <= b`, p positive.

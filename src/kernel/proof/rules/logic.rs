@@ -2,7 +2,7 @@
 
 use super::super::known::minus;
 use super::super::normal::Equations;
-use super::super::{Fact, Proof, reject, require};
+use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
 use crate::formula::{Formula, Operator, Point, free_functions, free_names};
 use crate::kernel::{Value, value};
@@ -39,25 +39,29 @@ impl Check<'_, '_> {
     }
 
     pub(super) fn order(&self) -> Checked {
-        let (Fact::Less(a, b) | Fact::AtMost(a, b) | Fact::Different(a, b)) = self.fact else {
+        let (Fact::Less(a, b) | Fact::AtMost(a, b) | Fact::Different(a, b) | Fact::Same(a, b)) =
+            self.fact
+        else {
             return reject("the rule concludes a relation");
         };
         self.is_finite(a)?;
         self.is_finite(b)?;
         let difference = minus(b, a);
+        if let Fact::Same(..) = self.fact {
+            self.is_nonnegative(&difference)?;
+            return self.is_nonnegative(&minus(a, b));
+        }
         let shown = self.arguments.first().unwrap_or(&difference);
         match self.fact {
-            Fact::Less(..) => self.is_positive(shown)?,
+            Fact::Less(..) if self.is_positive(shown).is_ok() => {}
+            Fact::Less(..) => {
+                self.is_nonnegative(shown)?;
+                self.is_nonzero(shown)?;
+            }
             Fact::AtMost(..) => self.is_nonnegative(shown)?,
             _ => self.is_nonzero(shown)?,
         }
         self.is_same(shown, &difference)
-    }
-
-    /// The two are equal as rational functions.
-    pub(super) fn is_same(&self, a: &Formula, b: &Formula) -> Checked {
-        let same = self.proof.same_normal(a, b)?;
-        require(same, "the two are not equal as rational functions")
     }
 
     pub(super) fn gap(&self) -> Checked {
@@ -76,7 +80,12 @@ impl Check<'_, '_> {
         let (a, b) = self.equation()?;
         self.is_finite(a)?;
         self.is_finite(b)?;
-        let proof: &Proof = self.proof;
+        self.is_same(a, b)
+    }
+
+    /// Two finite formulas are equal as rational functions of their atoms, once the equations that
+    /// are the premises have been put for the atoms on their left.
+    pub(super) fn is_same(&self, a: &Formula, b: &Formula) -> Checked {
         let mut equations = Equations::new();
         for index in 0..self.premises.len() {
             let Fact::Same(left, right) = self.plain(index)? else {
@@ -90,15 +99,12 @@ impl Check<'_, '_> {
             ) {
                 self.is_finite(left)?;
             }
-            let atom = proof.atom_number(left, &Equations::new(), 0)?;
+            let atom = self.proof.atom_number(left, &Equations::new(), 0)?;
             equations.insert(atom, right.clone());
         }
-        let a = proof.normal_with(a, &equations, 0)?;
-        let b = proof.normal_with(b, &equations, 0)?;
-        require(
-            a.equals(&b)?,
-            "the sides are not equal as rational functions",
-        )
+        let a = self.proof.normal_with(a, &equations, 0)?;
+        let b = self.proof.normal_with(b, &equations, 0)?;
+        require(a.equals(&b)?, "the two are not equal as rational functions")
     }
 
     pub(super) fn chain(&self) -> Checked {
@@ -138,6 +144,7 @@ impl Check<'_, '_> {
         match (self.fact, found) {
             (Fact::Undefined(_), Value::Undefined) => Ok(()),
             (Fact::Same(_, q), Value::Finite { low, high }) if low == high => {
+                self.is_finite(q)?;
                 let stated = self.proof.normal(q)?.as_constant();
                 require(stated == Some(low), "the value is another")
             }

@@ -153,25 +153,26 @@ impl<'a> Check<'a, '_> {
         }
     }
 
-    /// Where powers of these bases with these exponents can be split: all bases are positive, or
-    /// all exponents are integers, and nonnegative or on nonzero bases.
+    /// Where powers of these bases with these exponents can be split: all bases are positive; or
+    /// nonnegative, with positive exponents; or all exponents are integers, and nonnegative or on
+    /// nonzero bases.
     fn splits(&self, bases: &[&Formula], exponents: &[&Formula]) -> Checked {
-        exponents
-            .iter()
-            .try_for_each(|exponent| self.is_finite(exponent))?;
-        if bases.iter().all(|base| self.is_positive(base).is_ok()) {
+        let all = |formulas: &[&Formula], check: fn(&Self, &Formula) -> Checked| {
+            formulas.iter().try_for_each(|formula| check(self, formula))
+        };
+        all(bases, Self::is_finite)?;
+        all(exponents, Self::is_finite)?;
+        let nonnegative = all(bases, Self::is_nonnegative).is_ok();
+        if all(bases, Self::is_positive).is_ok()
+            || (nonnegative && all(exponents, Self::is_positive).is_ok())
+        {
             return Ok(());
         }
-        exponents
-            .iter()
-            .try_for_each(|exponent| self.is_integer(exponent))?;
-        if exponents
-            .iter()
-            .all(|exponent| self.is_nonnegative(exponent).is_ok())
-        {
-            return bases.iter().try_for_each(|base| self.is_finite(base));
+        all(exponents, Self::is_integer)?;
+        match all(exponents, Self::is_nonnegative) {
+            Ok(()) => Ok(()),
+            Err(_) => all(bases, Self::is_nonzero),
         }
-        bases.iter().try_for_each(|base| self.is_nonzero(base))
     }
 
     /// A power of 0 or of 1.
