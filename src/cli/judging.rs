@@ -1,10 +1,9 @@
 //! What all commands that judge a book have in common: their options, the run, its progress bar.
 
 use super::library::Library;
-use super::output::{Exit, Failure};
+use super::output::{Failure, of_run};
 use crate::corpus::{self, Options, Run};
 use crate::judge::Settings;
-use crate::report::diagnostic;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::Once;
@@ -52,27 +51,12 @@ impl Judging {
             certificates: Some(self.library.store()),
             save,
         };
-        let count = corpus::chosen(&book, &options.only).map_err(failure)?.len();
+        let count = corpus::chosen(&book, &options.only).map_err(of_run)?.len();
         let bar = Bar::new(count, self.quiet);
         let run = corpus::run(&book, &settings, &options, |done| bar.show(done));
         bar.bar.finish_and_clear();
-        run.map_err(failure)
+        run.map_err(of_run)
     }
-}
-
-fn failure(error: corpus::Error) -> Failure {
-    let hint = match &error {
-        corpus::Error::UnknownId { nearest, .. } => {
-            nearest.as_ref().map(|id| format!("did you mean `{id}`?"))
-        }
-        _ => None,
-    };
-    let exit = match error {
-        corpus::Error::UnknownId { .. } | corpus::Error::Unwritable(_) => Exit::Input,
-        corpus::Error::Internal { .. } | corpus::Error::Threads(_) => Exit::Internal,
-    };
-    let text = diagnostic::plain(&error.to_string(), hint.as_deref());
-    Failure { exit, text }
 }
 
 /// A progress bar on stderr, if that is a terminal, from the second second on.

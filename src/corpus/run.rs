@@ -113,7 +113,9 @@ fn answers(report: &mut Report) -> impl Iterator<Item = &mut Answer> {
 /// What the report rests on, the print first.
 fn certificates(report: &Report) -> Vec<Certificate> {
     let answers = std::iter::once(&report.printed).chain(&report.mended);
-    answers.filter_map(|answer| answer.evidence.clone()).collect()
+    answers
+        .filter_map(|answer| answer.evidence.clone())
+        .collect()
 }
 
 fn save(store: &Store, claim: &Claim, found: &[Certificate]) -> Result<bool, Error> {

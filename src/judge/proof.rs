@@ -175,7 +175,10 @@ mod tests {
     const SQUARE: &str = "given int k\nsays (k + 1)^2 == k^2 + 2*k + 1";
 
     fn theorem(proposition: &str) -> String {
-        let says = proposition.split("says ").last().expect("it says something");
+        let says = proposition
+            .split("says ")
+            .last()
+            .expect("it says something");
         format!("theorem\n{proposition}\nexample k = 1\nproof\n1: {says} | ring\nqed 1\n")
     }
 

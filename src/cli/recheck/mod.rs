@@ -27,7 +27,11 @@ impl Recheck {
         if let Some(report) = &self.report {
             return report::replay(report, &book);
         }
-        if let Some(folder) = self.library.named_folder().filter(|folder| !folder.is_dir()) {
+        if let Some(folder) = self
+            .library
+            .named_folder()
+            .filter(|folder| !folder.is_dir())
+        {
             let message = format!("there is no folder {}", folder.display());
             let hint = "write certificates with: claimcheck check --save";
             return Err(Failure::input(&message, Some(hint)));
