@@ -268,7 +268,7 @@ mod tests {
     /// Shows the layout only: nothing here is checked.
     const CERTIFICATE: &str = "\
 theorem
-given int k, real a
+given int k; real a
 domain k >= 2 and a > 0
 says int((k - 1)*x^(k - 2), x = 0..a) == a^(k - 1) == a^k/a
 example a = 1, k = 2
