@@ -6,18 +6,45 @@
 
 #![allow(dead_code)] // until the tactics use all of it
 
+mod atoms;
+mod border;
 mod builder;
 mod equal;
+mod factor;
 mod field;
 mod finite;
 mod form;
 mod handelman;
 mod known;
+mod logs;
 mod order;
+mod powers;
 mod prune;
+mod roots;
+mod shifts;
 mod simplex;
 #[cfg(test)]
 mod tests;
 mod undefined;
 
 pub(crate) use builder::Builder;
+mod evaluate;
+mod indicator;
+mod integral;
+mod integrand;
+mod law;
+mod limit;
+mod link;
+mod make;
+mod matching;
+mod moment;
+mod primitive;
+mod range;
+mod rational;
+mod special;
+mod substitution;
+mod sum;
+mod unfold;
+mod weight;
+
+pub use link::prove;
