@@ -28,3 +28,23 @@ mod tests;
 mod undefined;
 
 pub(crate) use builder::Builder;
+
+use crate::formula::{Point, Proposition, Relation, Statement};
+use crate::kernel::proof::Script;
+
+/// Proves the links of a chain that are equal as finite formulas.
+pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
+    let Statement::Chain { first, links, .. } = &proposition.statement else {
+        return None;
+    };
+    let mut builder = Builder::new(proposition);
+    let mut proved = Vec::new();
+    let mut left = first;
+    for (number, (relation, right)) in links.iter().enumerate() {
+        let step = (*relation == Relation::Equal)
+            .then(|| builder.attempt(|builder| builder.equal(left, right)));
+        proved.extend(step.flatten().map(|step| (number, step)));
+        left = right;
+    }
+    builder.script(proved, examples.first()?.clone())
+}
