@@ -6,22 +6,15 @@
 
 #![allow(dead_code)] // until the tactics use all of it
 
-mod atoms;
-mod border;
 mod builder;
 mod equal;
-mod factor;
 mod field;
 mod finite;
 mod form;
 mod handelman;
 mod known;
-mod logs;
 mod order;
-mod powers;
 mod prune;
-mod roots;
-mod shifts;
 mod simplex;
 #[cfg(test)]
 mod tests;
