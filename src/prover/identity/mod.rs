@@ -6,38 +6,45 @@
 
 #![allow(dead_code)] // until the tactics use all of it
 
+mod atoms;
+mod border;
 mod builder;
 mod equal;
+mod factor;
 mod field;
 mod finite;
 mod form;
 mod handelman;
 mod known;
+mod logs;
 mod order;
+mod powers;
 mod prune;
+mod roots;
+mod shifts;
 mod simplex;
 #[cfg(test)]
 mod tests;
 mod undefined;
 
 pub(crate) use builder::Builder;
+mod evaluate;
+mod indicator;
+mod integral;
+mod integrand;
+mod law;
+mod limit;
+mod link;
+mod make;
+mod matching;
+mod moment;
+mod primitive;
+mod range;
+mod rational;
+mod special;
+mod substitution;
+mod sum;
+mod unfold;
+mod weight;
 
-use crate::formula::{Point, Proposition, Relation, Statement};
-use crate::kernel::proof::Script;
-
-/// Proves the links of a chain that are equal as finite formulas.
-pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
-    let Statement::Chain { first, links, .. } = &proposition.statement else {
-        return None;
-    };
-    let mut builder = Builder::new(proposition);
-    let mut proved = Vec::new();
-    let mut left = first;
-    for (number, (relation, right)) in links.iter().enumerate() {
-        let step = (*relation == Relation::Equal)
-            .then(|| builder.attempt(|builder| builder.equal(left, right)));
-        proved.extend(step.flatten().map(|step| (number, step)));
-        left = right;
-    }
-    builder.script(proved, examples.first()?.clone())
-}
+pub use link::prove;

@@ -181,7 +181,7 @@ fn solved(
     parts: &[(Formula, Formula)],
 ) -> Option<Value> {
     let (c, target) = parts.first()?;
-    let mut rest = |start: Formula| {
+    let rest = |start: Formula| {
         let terms = parts[1..].iter();
         let sum = terms.fold(start, |sum, (c, i)| {
             Formula::binary(
