@@ -30,7 +30,7 @@ pub fn decide(
     }
     let mut trial = match Trial::new(proposition, budget, settings) {
         Ok(trial) => trial,
-        Err(finding) => return finding,
+        Err(finding) => return *finding,
     };
     if trial.refuted() {
         return against(trial.whole(), theorem());

@@ -45,7 +45,7 @@ pub fn judge_proposition(
 ) -> Finding {
     match Trial::new(proposition, budget, settings) {
         Ok(trial) => trial.whole(),
-        Err(finding) => finding,
+        Err(finding) => *finding,
     }
 }
 
@@ -65,14 +65,14 @@ impl<'a> Trial<'a> {
         proposition: &'a Proposition,
         budget: &Budget,
         settings: &Settings,
-    ) -> Result<Trial<'a>, Finding> {
+    ) -> Result<Trial<'a>, Box<Finding>> {
         let parts = parts(&proposition.statement);
         if parts.iter().all(|part| matches!(part, Part::Noted)) {
-            return Err(Finding::plain(Verdict::Noted));
+            return Err(Box::new(Finding::plain(Verdict::Noted)));
         }
         if contradictory(proposition) {
             let why = "the conditions contradict each other";
-            return Err(Finding::because(Verdict::Vacuous, why));
+            return Err(Box::new(Finding::because(Verdict::Vacuous, why)));
         }
         let points = points(proposition, budget, settings);
         let mut number = 0;
