@@ -1,7 +1,7 @@
 //! What the search for order builds its sums from.
 
-use super::builder::Builder;
-use super::form::{integer, power};
+use super::builder::{Builder, Relation};
+use super::form::{integer, minus, power, times};
 use super::handelman::Generator;
 use super::known::Sign;
 use crate::algebra::{Polynomial, Symbol};
@@ -26,36 +26,74 @@ impl Builder<'_> {
         }
     }
 
-    /// The relations between these indeterminates.
+    /// The relations between these indeterminates, without their denominators.
     pub(super) fn generators(
-        &self,
+        &mut self,
         symbols: &BTreeSet<Symbol>,
         atoms: &[Generator],
     ) -> Vec<Generator> {
-        let field = self.field.borrow();
+        let relations: Vec<Relation> = self
+            .relations()
+            .filter(|relation| {
+                !relation.derived
+                    && !matches!(relation.fact, Fact::Different(..))
+                    && relation.difference.as_constant().is_none()
+                    && relation.difference.symbols().is_subset(symbols)
+            })
+            .cloned()
+            .collect();
         let mut all: Vec<Generator> = atoms.to_vec();
-        for relation in self.relations() {
-            let Some(polynomial) = relation.difference.as_polynomial() else {
+        for relation in relations {
+            let Some(new) = self.cleared(&relation) else {
                 continue;
             };
-            let strict = matches!(relation.fact, Fact::Less(..));
-            let wanted = !relation.derived
-                && !matches!(relation.fact, Fact::Different(..))
-                && polynomial.as_constant().is_none()
-                && polynomial.symbols().is_subset(symbols);
-            if !wanted {
-                continue;
-            }
-            match all.iter_mut().find(|other| other.polynomial == *polynomial) {
-                Some(other) => other.strict |= strict,
-                None => all.push(Generator {
-                    written: field.write_polynomial(polynomial),
-                    polynomial: polynomial.clone(),
-                    strict,
-                }),
+            match all.iter_mut().find(|old| old.polynomial == new.polynomial) {
+                Some(old) => old.strict |= new.strict,
+                None => all.push(new),
             }
         }
         all
+    }
+
+    /// What the relations between these indeterminates are divided by.
+    pub(super) fn denominators(&self, symbols: &BTreeSet<Symbol>) -> BTreeSet<Polynomial> {
+        let relations = self.relations().filter(|relation| {
+            !relation.derived && relation.difference.symbols().is_subset(symbols)
+        });
+        relations
+            .flat_map(|relation| relation.difference.denominator().keys().cloned())
+            .collect()
+    }
+
+    /// A relation times its denominator, which must be positive.
+    fn cleared(&mut self, relation: &Relation) -> Option<Generator> {
+        let strict = matches!(relation.fact, Fact::Less(..));
+        let polynomial = relation.difference.numerator().clone();
+        if relation.difference.as_polynomial().is_some() {
+            let written = self.field.borrow().write_polynomial(&polynomial);
+            return Some(Generator {
+                polynomial,
+                written,
+                strict,
+            });
+        }
+        let (Fact::Less(a, b) | Fact::AtMost(a, b)) = &relation.fact else {
+            return None;
+        };
+        let mut written = minus(b.clone(), a.clone());
+        for (factor, exponent) in relation.difference.denominator() {
+            let factor = self.field.borrow().write_polynomial(factor);
+            self.signed(&factor, Sign::Positive)?;
+            written = match exponent {
+                1 => times(written, factor),
+                _ => times(written, power(factor, integer(i64::from(*exponent)))),
+            };
+        }
+        Some(Generator {
+            polynomial,
+            written,
+            strict,
+        })
     }
 
     /// The atoms of a polynomial that are no names, and squares of names in it.

@@ -13,6 +13,7 @@ use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
 use crate::number::convert::from_rug;
+use std::collections::BTreeSet;
 
 /// Factors of one product of relations.
 const FACTORS: usize = 3;
@@ -297,10 +298,29 @@ impl Builder<'_> {
             }
         }
         let far = self.generators(&reached, &atoms);
-        match far.len() > near.len() {
-            true => self.show_by(p, &far, strict),
-            false => None,
+        if far.len() > near.len()
+            && let Some(sum) = self.show_by(p, &far, strict)
+        {
+            return Some(sum);
         }
+        self.show_multiplied(p, &reached, &far, strict)
+    }
+
+    /// As a sum over a positive denominator of one of the relations.
+    fn show_multiplied(
+        &mut self,
+        p: &Polynomial,
+        reached: &BTreeSet<Symbol>,
+        by: &[Generator],
+        strict: bool,
+    ) -> Option<Formula> {
+        self.denominators(reached).into_iter().find_map(|divisor| {
+            let product = p.mul(&divisor, &self.field.borrow().budget).ok()?;
+            let sum = self.show_by(&product, by, strict)?;
+            let written = self.field.borrow().write_polynomial(&divisor);
+            self.signed(&written, Sign::Positive)?;
+            Some(over(sum, written))
+        })
     }
 
     fn show_by(&self, p: &Polynomial, by: &[Generator], strict: bool) -> Option<Formula> {

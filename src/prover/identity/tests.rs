@@ -230,3 +230,12 @@ fn order_of_powers() {
         1
     ));
 }
+
+#[test]
+fn relations_with_denominators() {
+    let given = "given int k, n; real r\ndomain 2 <= k <= n\ndomain (k-1)/n <= r <= k/n";
+    assert!(sign(given, "r", 1));
+    assert!(sign(given, "1 - r", 0));
+    assert!(sign(given, "r*n + 1 - k", 0));
+    assert!(sign(given, "k/n - (k-1)/n", 1));
+}
