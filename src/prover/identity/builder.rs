@@ -26,8 +26,8 @@ pub(super) struct Relation {
 /// A block that is open, the root first.
 #[derive(Clone, Debug, Default)]
 struct Frame {
-    facts: HashMap<Fact, Step>,
-    relations: Vec<Relation>,
+    facts: HashMap<Rc<Fact>, Step>,
+    relations: Vec<Rc<Relation>>,
     equations: Vec<Step>,
     variables: Vec<Variable>,
 }
@@ -40,9 +40,9 @@ pub(super) type Failure = (Formula, Sign, u64);
 pub(crate) struct Builder<'p> {
     proposition: &'p Proposition,
     proof: Proof<'p>,
-    lines: Vec<Line>,
+    lines: Vec<Rc<Line>>,
     /// For each step, those that it rests on.
-    uses: Vec<Vec<Step>>,
+    uses: Vec<Rc<Vec<Step>>>,
     frames: Vec<Frame>,
     pub(super) field: Rc<RefCell<Field>>,
     /// Signs that were looked for in vain, each with what was known then.
@@ -122,13 +122,13 @@ impl<'p> Builder<'p> {
             Ok(step) => {
                 let mut uses = self.proof.seen();
                 uses.extend_from_slice(premises);
-                self.uses.push(uses);
-                self.lines.push(Line::Step {
+                self.uses.push(Rc::new(uses));
+                self.lines.push(Rc::new(Line::Step {
                     fact: fact.clone(),
                     rule,
                     premises: premises.to_vec(),
                     arguments: arguments.to_vec(),
-                });
+                }));
                 self.note(fact, step, rule == Rule::Order && premises.is_empty());
                 Some(step)
             }
@@ -164,13 +164,13 @@ impl<'p> Builder<'p> {
         if let Fact::Same(..) = fact {
             frame.equations.push(step);
         }
-        frame.facts.entry(fact.clone()).or_insert(step);
+        frame.facts.entry(Rc::new(fact.clone())).or_insert(step);
         if let Some(difference) = relation {
-            frame.relations.push(Relation {
+            frame.relations.push(Rc::new(Relation {
                 fact: fact.clone(),
                 difference,
                 derived,
-            });
+            }));
         }
         if let (Fact::Less(a, b), false) = (fact, derived) {
             self.round(a, b);
@@ -190,7 +190,10 @@ impl<'p> Builder<'p> {
 
     /// The relations in sight.
     pub(super) fn relations(&self) -> impl Iterator<Item = &Relation> {
-        self.frames.iter().flat_map(|frame| &frame.relations)
+        self.frames
+            .iter()
+            .flat_map(|frame| &frame.relations)
+            .map(|relation| &**relation)
     }
 
     /// The equations in sight.
@@ -246,15 +249,15 @@ impl<'p> Builder<'p> {
                 return None;
             }
             let steps: Vec<Step> = (first..first + hypotheses.len()).collect();
-            builder.uses.extend(steps.iter().map(|_| Vec::new()));
+            builder.uses.extend(steps.iter().map(|_| Rc::default()));
             builder.frames.push(Frame {
                 variables: variables.clone(),
                 ..Frame::default()
             });
-            builder.lines.push(Line::Open {
+            builder.lines.push(Rc::new(Line::Open {
                 variables,
                 hypotheses: hypotheses.clone(),
-            });
+            }));
             for (fact, step) in hypotheses.into_iter().zip(&steps) {
                 builder.note(fact, *step, false);
             }
@@ -262,7 +265,7 @@ impl<'p> Builder<'p> {
             builder.proof.close().ok()?;
             builder.state = state;
             builder.frames.pop();
-            builder.lines.push(Line::Close);
+            builder.lines.push(Rc::new(Line::Close));
             Some(found)
         })
     }
@@ -324,7 +327,7 @@ impl<'p> Builder<'p> {
         let whole = Script {
             proposition: self.proposition.clone(),
             example,
-            lines: self.lines,
+            lines: self.lines.iter().map(|line| (**line).clone()).collect(),
             links,
         };
         let pruned = prune(&whole, &self.uses);

@@ -13,7 +13,6 @@ use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
 use crate::number::convert::from_rug;
-use std::collections::BTreeSet;
 
 /// Factors of one product of relations.
 const FACTORS: usize = 3;

@@ -278,6 +278,6 @@ fn units(group: &[Simple]) -> BTreeMap<Monomial, rug::Rational> {
 /// The greatest common divisor of two positive rationals.
 fn common(a: &rug::Rational, b: &rug::Rational) -> rug::Rational {
     let below = Integer::from(a.denom().lcm_ref(b.denom()));
-    let scaled = |r: &rug::Rational| Integer::from(r.numer() * Integer::from(&below / r.denom()));
+    let scaled = |r: &rug::Rational| r.numer() * Integer::from(&below / r.denom());
     rug::Rational::from((scaled(a).gcd(&scaled(b)), below))
 }

@@ -2,10 +2,11 @@
 
 use crate::kernel::proof::{Line, Script, Step};
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// The script without the steps that its links do not rest on. `uses` lists for each step those
 /// that it rests on itself.
-pub(super) fn prune(script: &Script, uses: &[Vec<Step>]) -> Script {
+pub(super) fn prune(script: &Script, uses: &[Rc<Vec<Step>>]) -> Script {
     let needed = needed(script, uses);
     let mut renumbered: HashMap<Step, Step> = HashMap::new();
     let mut lines = Vec::new();
@@ -39,13 +40,13 @@ fn states(line: &Line) -> usize {
     }
 }
 
-fn needed(script: &Script, uses: &[Vec<Step>]) -> Vec<bool> {
+fn needed(script: &Script, uses: &[Rc<Vec<Step>>]) -> Vec<bool> {
     let mut needed = vec![false; uses.len()];
     let mut open: Vec<Step> = script.links.iter().map(|(_, step)| *step).collect();
     while let Some(step) = open.pop() {
         if let Some(mark) = needed.get_mut(step).filter(|mark| !**mark) {
             *mark = true;
-            open.extend(&uses[step]);
+            open.extend(uses[step].iter());
         }
     }
     needed
