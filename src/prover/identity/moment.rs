@@ -37,7 +37,9 @@ pub(super) fn reduced(
     let Formula::Ranged(target_range) = &target else {
         return None;
     };
-    let (found, second) = relation.solve(b, cx, target_range)?;
+    let solved = relation.solve(b, cx, target_range);
+    trace(b, "end");
+    let (found, second) = solved?;
     let between = Formula::binary(Multiply, weighted.coefficient.clone(), target.clone());
     let found_whole = Formula::binary(Multiply, weighted.coefficient.clone(), found);
     let second = b.congruent(&between, &found_whole, &[second])?;
@@ -115,12 +117,15 @@ impl<'a> Relation<'a> {
             });
         }
         let total = over(r, sum?);
+        trace(b, "split");
         let linear = split(b, &total, &parts)?;
+        trace(b, "vanishes");
         let zero = self.vanishes(b, &total)?;
         let Fact::Same(_, combined) = b.fact(linear).clone() else {
             return None;
         };
         let zero = b.chain(&[linear, zero], &combined, &int(0))?;
+        trace(b, "solved");
         solved(b, cx, (&combined, zero), &parts)
     }
 
@@ -135,6 +140,7 @@ impl<'a> Relation<'a> {
             Some(term(&var(x), &p, &q, &form, self.order - 1))
         };
         let (difference, first) = by_primitive(b, r, &primitive)?;
+        trace(b, "ends");
         let second = b.equal(&difference, &int(0))?;
         b.chain(&[first, second], total, &int(0))
     }
@@ -212,4 +218,10 @@ fn solved(
     let third = b.congruent(&without, &found, &equations)?;
     let step = b.chain(&[first, second, third], target, &found)?;
     Some((found, step))
+}
+
+fn trace(b: &Builder, at: &str) {
+    if std::env::var("TRACE").is_ok() {
+        eprintln!("moment at {at}: {}", b.refusal());
+    }
 }
