@@ -4,7 +4,7 @@ use super::Builder;
 use super::evaluate::Value;
 use super::make::integral;
 use crate::formula::{Formula, Name, Operator, Ranged, substitute};
-use crate::kernel::proof::{Fact, Step, Variable};
+use crate::kernel::proof::{Fact, Rule, Step, Variable};
 
 /// Runs `inside` for a new variable between two ends.
 pub(super) fn on_open<T>(
@@ -48,7 +48,29 @@ fn on_range<T>(
         name: name.clone(),
         integer: false,
     };
-    b.block(vec![variable], hypotheses, |b, _| inside(b, &name))
+    b.block(vec![variable], hypotheses.clone(), |b, _| {
+        b.attempt(|b| above_zero(b, hypotheses.first()?));
+        inside(b, &name)
+    })
+}
+
+/// What lies above an end that is not negative has its sign.
+fn above_zero(b: &mut Builder, lower: &Fact) -> Option<Step> {
+    let (Fact::Less(from, x) | Fact::AtMost(from, x)) = lower else {
+        return None;
+    };
+    if matches!(from, Formula::Number(_) | Formula::Name(_)) {
+        return None;
+    }
+    let rest = Formula::binary(Operator::Subtract, x.clone(), from.clone());
+    let shown = Formula::binary(Operator::Add, rest, from.clone());
+    let zero = Formula::integer(0);
+    let strict = matches!(lower, Fact::Less(..));
+    if (strict && b.nonnegative(from).is_some()) || (!strict && b.positive(from).is_some()) {
+        return b.step(Fact::Less(zero, x.clone()), Rule::Order, &[], &[shown]);
+    }
+    b.nonnegative(from)?;
+    b.step(Fact::AtMost(zero, x.clone()), Rule::Order, &[], &[shown])
 }
 
 /// The body of an integral with another name for its variable.
