@@ -80,9 +80,7 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Va
         Formula::Limit(e, places) => limit::value(b, cx, e, places),
         Formula::Call(function, parts) => special::value(b, cx, *function, parts),
         _ => None,
-    });
-    if found.is_none() && std::env::var("TRACE").is_ok() { eprintln!("no value: {q}\n     {}", b.refusal()); }
-    let found = found?;
+    })?;
     cx.values.insert(q.clone(), found.clone());
     Some(found)
 }

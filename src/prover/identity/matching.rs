@@ -20,7 +20,6 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
     if let Some(step) = b.equal(x, y) {
         return Some(step);
     }
-    if std::env::var("TRACE").is_ok() { eprintln!("not equal: {x}\n    vs     {y}\n       {}", b.refusal()); }
     b.attempt(|b| match (x, y) {
         (Formula::Ranged(r), Formula::Ranged(s))
             if r.kind == RangeKind::Integral && s.kind == RangeKind::Integral =>

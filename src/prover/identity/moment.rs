@@ -37,9 +37,7 @@ pub(super) fn reduced(
     let Formula::Ranged(target_range) = &target else {
         return None;
     };
-    let solved = relation.solve(b, cx, target_range);
-    trace(b, "end");
-    let (found, second) = solved?;
+    let (found, second) = relation.solve(b, cx, target_range)?;
     let between = Formula::binary(Multiply, weighted.coefficient.clone(), target.clone());
     let found_whole = Formula::binary(Multiply, weighted.coefficient.clone(), found);
     let second = b.congruent(&between, &found_whole, &[second])?;
@@ -124,15 +122,12 @@ impl<'a> Relation<'a> {
         let sum = terms.fold(first, |sum, term| Formula::binary(Add, sum, term));
         let parts: Vec<_> = parts.into_iter().map(|(c, core)| (c, over(r, core))).collect();
         let total = over(r, sum);
-        trace(b, "split");
         let linear = split(b, &total, &parts)?;
-        trace(b, "vanishes");
         let zero = self.vanishes(b, &total)?;
         let Fact::Same(_, combined) = b.fact(linear).clone() else {
             return None;
         };
         let zero = b.chain(&[linear, zero], &combined, &int(0))?;
-        trace(b, "solved");
         solved(b, cx, (&combined, zero), &parts)
     }
 
@@ -147,7 +142,6 @@ impl<'a> Relation<'a> {
             Some(term(&var(x), &p, &q, &form, self.order - 1))
         };
         let (difference, first) = by_primitive(b, r, &primitive)?;
-        trace(b, "ends");
         let second = b.equal(&difference, &int(0))?;
         b.chain(&[first, second], total, &int(0))
     }
@@ -225,10 +219,4 @@ fn solved(
     let third = b.congruent(&without, &found, &equations)?;
     let step = b.chain(&[first, second, third], target, &found)?;
     Some((found, step))
-}
-
-fn trace(b: &Builder, at: &str) {
-    if std::env::var("TRACE").is_ok() {
-        eprintln!("moment at {at}: {}", b.refusal());
-    }
 }
