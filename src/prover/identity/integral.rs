@@ -108,9 +108,8 @@ fn by_shape(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     if let Some(found) = b.attempt(|b| primitive::power(b, cx, r, &product)) {
         return Some(found);
     }
-    match is_zero(&r.from) && is_one(&r.to) {
+    match primitive::is_unit(r) {
         true => weight::value(b, cx, r, &product),
-        false => None,
+        false => substitution::to_unit(b, cx, r, &product),
     }
-    .or_else(|| b.attempt(|b| substitution::to_unit(b, cx, r, &product)))
 }

@@ -111,6 +111,7 @@ fn is_density(
 ) -> Option<Vec<Step>> {
     let sign = on_open(b, argument, (from, to), |b, y| {
         let there = substitute(body, &[(argument.clone(), Formula::Name(y.clone()))]).ok()?;
+        b.finite(&there)?;
         b.nonnegative(&there)?;
         let fact = Fact::AtMost(int(0), there.clone());
         b.step(fact, Rule::Order, &[], &[there])

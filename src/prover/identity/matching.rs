@@ -4,7 +4,7 @@
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate, has_quantity};
 use super::make::{integral, map_parts, parts, replaced};
-use super::range::{body_at, on_open, under, whole};
+use super::range::{body_at, on_inside, under, whole};
 use super::weight::{continuous, scaled};
 use crate::formula::{Formula, Operator, RangeKind, Ranged};
 use crate::kernel::proof::Step;
@@ -61,10 +61,10 @@ fn integrals(b: &mut Builder, cx: &mut Context, r: &Ranged, s: &Ranged) -> Optio
         ..s.clone()
     };
     let back = b.congruent(&whole(&moved), &whole(s), &steps)?;
-    let step = on_open(b, &r.name, (&r.from, &r.to), |b, x| {
+    let step = on_inside(b, &r.name, (&r.from, &r.to), |b, x| {
         bodies(b, cx, &body_at(r, x)?, &body_at(&moved, x)?)
     })?;
-    let step = under(b, &whole(r), &whole(&moved), step, (&r.from, &r.to))?;
+    let step = under(b, &whole(r), &whole(&moved), step)?;
     b.chain(&[step, back], &whole(r), &whole(s))
 }
 

@@ -100,21 +100,28 @@ impl<'a> Relation<'a> {
 
     /// The integral of the first term by the others.
     fn solve(&self, b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-        let mut sum: Option<Formula> = None;
         let mut parts = Vec::new();
         for (i, factor) in (0..).zip(&self.factors) {
             if is_zero(factor) {
                 continue;
             }
             let core = self.term(i, &r.name)?;
-            let body = Formula::binary(Multiply, factor.clone(), core.clone());
-            parts.push((factor.clone(), over(r, core)));
-            sum = Some(match sum {
-                None => body,
-                Some(sum) => Formula::binary(Add, sum, body),
-            });
+            // A factor that may be 0 somewhere is 1 more less 1.
+            let factors = match b.attempt(|b| b.nonzero(factor)) {
+                Some(()) => vec![factor.clone()],
+                None => vec![
+                    cx.algebra.tidy(&add(factor.clone(), int(1))),
+                    Formula::Negate(Box::new(int(1))),
+                ],
+            };
+            parts.extend(factors.into_iter().map(|c| (c, core.clone())));
         }
-        let total = over(r, sum?);
+        let terms = parts.iter();
+        let mut terms = terms.map(|(c, core)| Formula::binary(Multiply, c.clone(), core.clone()));
+        let first = terms.next()?;
+        let sum = terms.fold(first, |sum, term| Formula::binary(Add, sum, term));
+        let parts: Vec<_> = parts.into_iter().map(|(c, core)| (c, over(r, core))).collect();
+        let total = over(r, sum);
         let linear = split(b, &total, &parts)?;
         let zero = self.vanishes(b, &total)?;
         let Fact::Same(_, combined) = b.fact(linear).clone() else {

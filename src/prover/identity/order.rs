@@ -192,6 +192,7 @@ impl Builder<'_> {
         let known = self.relations().find_map(|relation| {
             let difference = relation.difference.as_polynomial()?;
             let (other, same) = difference.primitive();
+            (other != 0).then_some(())?;
             let factor = rug::Rational::from(&content / &other);
             let fits = same == primitive && factor > 0 && sign.given_by(&relation.fact);
             fits.then(|| (factor, difference.clone()))

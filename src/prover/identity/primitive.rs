@@ -153,6 +153,7 @@ pub(super) fn diverges(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<
         let distance = Formula::binary(Operator::Subtract, var(x), r.from.clone());
         let quotient = Formula::binary(Operator::Divide, g.clone(), distance);
         let same = b.equal(&body_at(r, x)?, &quotient)?;
+        b.finite(&g)?;
         b.nonnegative(&g)?;
         let sign = b.step(Fact::AtMost(int(0), g.clone()), Rule::Order, &[], &[g])?;
         Some([same, sign])

@@ -3,8 +3,8 @@
 use super::Builder;
 use super::evaluate::Value;
 use super::make::integral;
-use crate::formula::{Formula, Name, Ranged, substitute};
-use crate::kernel::proof::{Fact, Step, Variable};
+use crate::formula::{Formula, Name, Operator, Ranged, substitute};
+use crate::kernel::proof::{Fact, Rule, Step, Variable};
 
 /// Runs `inside` for a new variable between two ends.
 pub(super) fn on_open<T>(
@@ -48,7 +48,29 @@ fn on_range<T>(
         name: name.clone(),
         integer: false,
     };
-    b.block(vec![variable], hypotheses, |b, _| inside(b, &name))
+    b.block(vec![variable], hypotheses.clone(), |b, _| {
+        b.attempt(|b| above_zero(b, hypotheses.first()?));
+        inside(b, &name)
+    })
+}
+
+/// What lies above an end that is not negative has its sign.
+fn above_zero(b: &mut Builder, lower: &Fact) -> Option<Step> {
+    let (Fact::Less(from, x) | Fact::AtMost(from, x)) = lower else {
+        return None;
+    };
+    if matches!(from, Formula::Number(_) | Formula::Name(_)) {
+        return None;
+    }
+    let rest = Formula::binary(Operator::Subtract, x.clone(), from.clone());
+    let shown = Formula::binary(Operator::Add, rest, from.clone());
+    let zero = Formula::integer(0);
+    let strict = matches!(lower, Fact::Less(..));
+    if (strict && b.nonnegative(from).is_some()) || (!strict && b.positive(from).is_some()) {
+        return b.step(Fact::Less(zero, x.clone()), Rule::Order, &[], &[shown]);
+    }
+    b.nonnegative(from)?;
+    b.step(Fact::AtMost(zero, x.clone()), Rule::Order, &[], &[shown])
 }
 
 /// The body of an integral with another name for its variable.
@@ -67,12 +89,16 @@ pub(super) fn rewritten(
     r: &Ranged,
     rewrite: impl FnOnce(&mut Builder, &Name, &Formula) -> Option<Value>,
 ) -> Option<Value> {
-    let (name, body, step) = on_open(b, &r.name, (&r.from, &r.to), |b, x| {
+    let mut found = None;
+    let inside = |b: &mut Builder, x: &Name| {
         let (body, step) = rewrite(b, x, &body_at(r, x)?)?;
-        Some((x.clone(), body, step))
-    })?;
+        found = Some((x.clone(), body));
+        Some(step)
+    };
+    let step = on_inside(b, &r.name, (&r.from, &r.to), inside)?;
+    let (name, body) = found?;
     let next = integral(body, &name, r.from.clone(), r.to.clone());
-    let step = under(b, &whole(r), &next, step, (&r.from, &r.to))?;
+    let step = under(b, &whole(r), &next, step)?;
     Some((next, step))
 }
 
@@ -82,9 +108,24 @@ pub(super) fn under(
     one: &Formula,
     other: &Formula,
     step: Step,
-    (from, to): (&Formula, &Formula),
 ) -> Option<Step> {
-    let width = Formula::binary(crate::formula::Operator::Subtract, to.clone(), from.clone());
-    b.positive(&width)?;
     b.congruent(one, other, &[step])
+}
+
+/// A step for a variable between two ends, which may be equal: the ends are counted in unless they
+/// are known to differ.
+pub(super) fn on_inside(
+    b: &mut Builder,
+    base: &Name,
+    (from, to): (&Formula, &Formula),
+    inside: impl FnOnce(&mut Builder, &Name) -> Option<Step>,
+) -> Option<Step> {
+    let width = Formula::binary(Operator::Subtract, to.clone(), from.clone());
+    match b.positive(&width) {
+        Some(()) => on_open(b, base, (from, to), inside),
+        None => {
+            b.nonnegative(&width)?;
+            on_closed(b, base, (from, to), inside)
+        }
+    }
 }

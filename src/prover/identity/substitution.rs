@@ -60,7 +60,8 @@ impl Place {
             exponent,
             slope: powers.get(&1)?.clone(),
             origin: powers.get(&0).cloned().unwrap_or(int(0)),
-            p,
+            // As it stands: the kernel knows a power by its base as written.
+            p: base.clone(),
         })
     }
 
@@ -111,6 +112,7 @@ impl Place {
         let (x, [sign, same]) = on_open(b, &r.name, ends, |b, x| {
             let place = p(&var(x))?;
             let slope = derive(&place, x).ok()?;
+            b.finite(&slope)?;
             b.positive(&slope)?;
             let fact = Fact::Less(int(0), slope.clone());
             let sign = b.step(fact, Rule::Order, &[], &[slope.clone()])?;
