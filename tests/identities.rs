@@ -19,7 +19,12 @@ use std::time::Instant;
 /// A point of the domain found by trying small numbers.
 fn examples(proposition: &Proposition) -> Vec<Point> {
     let mut found = Vec::new();
-    extend(proposition, &proposition.parameters, Point::default(), &mut found);
+    extend(
+        proposition,
+        &proposition.parameters,
+        Point::default(),
+        &mut found,
+    );
     found
 }
 
@@ -170,7 +175,10 @@ fn the_book() {
     let (mut proved, mut all) = (0, 0);
     let mut failed = Vec::new();
     for claim in &book.claims {
-        if only.as_ref().is_some_and(|only| !only.contains(&&*claim.id)) {
+        if only
+            .as_ref()
+            .is_some_and(|only| !only.contains(&&*claim.id))
+        {
             continue;
         }
         let show = only.is_some();

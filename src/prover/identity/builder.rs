@@ -5,12 +5,13 @@
 
 use super::field::Field;
 use super::form::{integer, plus};
+use super::known::Sign;
 use super::prune::prune;
 use crate::algebra::RationalFunction;
 use crate::formula::{Condition, Formula, Name, Point, Proposition, Rational, is_reserved};
 use crate::kernel::proof::{Fact, Line, Proof, Rule, Script, Step, Variable};
-use std::cell::RefCell;
-use std::collections::HashMap;
+use std::cell::{Cell, RefCell};
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 /// A relation in sight, `b - a` being positive, nonnegative, or only known to be other than 0.
@@ -31,6 +32,9 @@ struct Frame {
     variables: Vec<Variable>,
 }
 
+/// A sign that was looked for in vain, with the state of what was known.
+pub(super) type Failure = (Formula, Sign, u64);
+
 /// A proof and its lines.
 #[derive(Clone)]
 pub(crate) struct Builder<'p> {
@@ -41,6 +45,11 @@ pub(crate) struct Builder<'p> {
     uses: Vec<Vec<Step>>,
     frames: Vec<Frame>,
     pub(super) field: Rc<RefCell<Field>>,
+    /// Signs that were looked for in vain, each with what was known then.
+    failed: Rc<RefCell<HashSet<Failure>>>,
+    /// Stands for what is known; a new one whenever something is learnt.
+    state: u64,
+    states: Rc<Cell<u64>>,
     refusal: String,
 }
 
@@ -54,6 +63,9 @@ impl<'p> Builder<'p> {
             uses: Vec::new(),
             frames: vec![Frame::default()],
             field: Rc::new(RefCell::new(Field::new())),
+            failed: Rc::default(),
+            state: 0,
+            states: Rc::default(),
             refusal: String::new(),
         };
         for condition in &proposition.domain {
@@ -117,7 +129,7 @@ impl<'p> Builder<'p> {
                     premises: premises.to_vec(),
                     arguments: arguments.to_vec(),
                 });
-                self.note(fact, step, matches!(rule, Rule::Order));
+                self.note(fact, step, rule == Rule::Order && premises.is_empty());
                 Some(step)
             }
             Err(error) => {
@@ -142,6 +154,10 @@ impl<'p> Builder<'p> {
             }
             _ => None,
         };
+        if !derived && !matches!(fact, Fact::Same(..) | Fact::Undefined(_)) {
+            self.states.set(self.states.get() + 1);
+            self.state = self.states.get();
+        }
         let Some(frame) = self.frames.last_mut() else {
             return;
         };
@@ -183,6 +199,25 @@ impl<'p> Builder<'p> {
         frames.flat_map(|frame| frame.equations.clone()).collect()
     }
 
+    /// Whether a sign was looked for in vain when no more was known than now.
+    pub(super) fn has_failed(&self, e: &Formula, sign: Sign) -> bool {
+        self.failed
+            .borrow()
+            .contains(&(e.clone(), sign, self.state))
+    }
+
+    /// Keeps that a sign was looked for in vain.
+    pub(super) fn fail(&self, e: &Formula, sign: Sign) -> Failure {
+        let failure = (e.clone(), sign, self.state);
+        self.failed.borrow_mut().insert(failure.clone());
+        failure
+    }
+
+    /// Takes that back.
+    pub(super) fn forget(&self, failure: &Failure) {
+        self.failed.borrow_mut().remove(failure);
+    }
+
     /// Whether an equation is in sight.
     pub(super) fn has_equations(&self) -> bool {
         self.frames.iter().any(|frame| !frame.equations.is_empty())
@@ -205,7 +240,7 @@ impl<'p> Builder<'p> {
         inside: impl FnOnce(&mut Self, &[Step]) -> Option<T>,
     ) -> Option<T> {
         self.attempt(|builder| {
-            let first = builder.uses.len();
+            let (first, state) = (builder.uses.len(), builder.state);
             if let Err(error) = builder.proof.open(variables.clone(), hypotheses.clone()) {
                 builder.refusal = format!("block: {error}");
                 return None;
@@ -225,6 +260,7 @@ impl<'p> Builder<'p> {
             }
             let found = inside(builder, &steps)?;
             builder.proof.close().ok()?;
+            builder.state = state;
             builder.frames.pop();
             builder.lines.push(Line::Close);
             Some(found)

@@ -25,11 +25,19 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Val
 /// Puts the numbers that the case under way gives names.
 fn put_known(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     let e = whole(r);
-    let known: Vec<_> = cx.known.iter().filter(|(name, ..)| depends(&e, name)).cloned().collect();
+    let known: Vec<_> = cx
+        .known
+        .iter()
+        .filter(|(name, ..)| depends(&e, name))
+        .cloned()
+        .collect();
     if known.is_empty() {
         return None;
     }
-    let values: Vec<_> = known.iter().map(|(name, t, _)| (name.clone(), t.clone())).collect();
+    let values: Vec<_> = known
+        .iter()
+        .map(|(name, t, _)| (name.clone(), t.clone()))
+        .collect();
     let steps: Vec<Step> = known.iter().map(|(_, _, step)| *step).collect();
     let next = substitute(&e, &values).ok()?;
     let step = b.congruent(&e, &next, &steps)?;

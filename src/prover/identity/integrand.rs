@@ -54,9 +54,8 @@ impl Product {
     /// Whether every exponent is an integer by arithmetic.
     pub fn is_rational(&self, algebra: &mut Algebra) -> bool {
         let mut factors = self.factors.iter();
-        factors.all(|(base, exponent)| {
-            algebra.integer(exponent).is_some() && is_plain(base, algebra)
-        })
+        factors
+            .all(|(base, exponent)| algebra.integer(exponent).is_some() && is_plain(base, algebra))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::kernel::proof::Fact;
 use num_traits::Zero;
 
 /// What is asked of a formula's value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Sign {
     Positive,
     Nonnegative,

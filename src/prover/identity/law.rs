@@ -2,7 +2,7 @@
 
 use super::Builder;
 use super::evaluate::{Context, Value, then, value};
-use super::make::{integral, int};
+use super::make::{int, integral};
 use super::range::on_open;
 use super::special::beta_weight;
 use crate::formula::{Draw, Formula, Function, Law, Name, Operator, free_names, substitute};

@@ -36,6 +36,11 @@ pub(super) fn value(
         law: Law::Beta(p, r),
     };
     let next = Formula::Mean(inner.clone(), Some(Box::new(own)));
-    let step = b.step(Fact::Same(q.clone(), next.clone()), Rule::Limit, &[finite], &[])?;
+    let step = b.step(
+        Fact::Same(q.clone(), next.clone()),
+        Rule::Limit,
+        &[finite],
+        &[],
+    )?;
     then(b, cx, &q, (next, step))
 }

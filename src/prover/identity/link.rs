@@ -81,7 +81,10 @@ fn equation(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Opti
 
 /// Names that the case gives a value.
 fn known(b: &mut Builder) -> Vec<(Name, Formula, Step)> {
-    let facts: Vec<Fact> = b.relations().map(|relation| relation.fact.clone()).collect();
+    let facts: Vec<Fact> = b
+        .relations()
+        .map(|relation| relation.fact.clone())
+        .collect();
     let mut known: Vec<(Name, Formula, Step)> = Vec::new();
     for fact in facts {
         if let Fact::AtMost(Formula::Name(name), value @ Formula::Number(_)) = &fact
@@ -98,7 +101,8 @@ fn known(b: &mut Builder) -> Vec<(Name, Formula, Step)> {
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let ways: [Way; 4] = [same, by_definition, by_value, undefined];
-    ways.into_iter().find_map(|way| b.attempt(|b| way(b, cx, x, y)))
+    ways.into_iter()
+        .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }
 
 /// Both sides with means, variances and densities unfolded, then compared part by part.

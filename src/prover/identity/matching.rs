@@ -113,17 +113,14 @@ fn integrals_of(e: &Formula, found: &mut Vec<Ranged>) {
                 found.push((**r).clone());
             }
         }
-        _ => parts(e).into_iter().for_each(|part| integrals_of(part, found)),
+        _ => parts(e)
+            .into_iter()
+            .for_each(|part| integrals_of(part, found)),
     }
 }
 
 /// `int(e) == c*int(model)`
-fn proportional(
-    b: &mut Builder,
-    cx: &mut Context,
-    r: &Ranged,
-    model: &Ranged,
-) -> Option<Value> {
+fn proportional(b: &mut Builder, cx: &mut Context, r: &Ranged, model: &Ranged) -> Option<Value> {
     if (&r.from, &r.to) != (&model.from, &model.to) {
         return None;
     }
@@ -151,10 +148,7 @@ fn proportional(
 }
 
 /// The formula with each of its quantities mapped.
-pub(super) fn map_quantities(
-    e: &Formula,
-    map: &mut dyn FnMut(&Formula) -> Formula,
-) -> Formula {
+pub(super) fn map_quantities(e: &Formula, map: &mut dyn FnMut(&Formula) -> Formula) -> Formula {
     match super::evaluate::is_quantity(e) {
         true => map(e),
         false => map_parts(e, &mut |part| map_quantities(part, map)),

@@ -89,7 +89,13 @@ impl<'a> Relation<'a> {
 
     /// `x^p*(1-x)^q/u^(order - i)`
     fn term(&self, i: i64, x: &Name) -> Option<Formula> {
-        Some(term(&var(x), self.p, self.q, &self.form(x)?, self.order - i))
+        Some(term(
+            &var(x),
+            self.p,
+            self.q,
+            &self.form(x)?,
+            self.order - i,
+        ))
     }
 
     /// The integral of the first term by the others.

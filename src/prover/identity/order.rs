@@ -4,13 +4,14 @@
 //! its polynomials are written as sums of products of relations in sight, and that sum is the
 //! argument by which the rule `order` sees the sign.
 
+use super::atoms::Equations;
 use super::builder::Builder;
 use super::form::{integer, negate, number, over, power, times};
 use super::handelman::{Generator, degree, show};
 use super::known::{Sign, is_even};
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{Formula, Function, Operator};
-use crate::kernel::proof::{Fact, Rule};
+use crate::kernel::proof::{Fact, Rule, Step};
 use crate::number::convert::from_rug;
 use std::collections::BTreeSet;
 
@@ -35,30 +36,67 @@ impl Builder<'_> {
 
     /// Makes the sign of a finite formula known.
     pub(super) fn signed(&mut self, e: &Formula, sign: Sign) -> Option<()> {
-        if self.knows(e, sign) || self.parts_signed(e, sign) {
+        if self.knows(e, sign) {
             return Some(());
         }
-        let normal = self.field.borrow_mut().normal(e)?;
+        if self.has_failed(e, sign) {
+            return None;
+        }
+        // What is being looked for counts as not found: a search that comes back to it ends.
+        let mark = self.fail(e, sign);
+        let found = self.parts_signed(e, sign) || self.show_sign(e, sign).is_some();
+        if found {
+            self.forget(&mark);
+        }
+        found.then_some(())
+    }
+
+    /// States the sign of a formula.
+    fn show_sign(&mut self, e: &Formula, sign: Sign) -> Option<()> {
         self.finite(e)?;
+        let normal = self.field.borrow_mut().normal(e)?;
+        let found = self.show_with(e, &normal, sign, &[]);
+        found.or_else(|| self.attempt(|builder| builder.show_by_atoms(e, sign)))
+    }
+
+    /// The same once powers and roots are split.
+    fn show_by_atoms(&mut self, e: &Formula, sign: Sign) -> Option<()> {
+        let equations = Equations::find(self, &[e], &[])?;
+        let steps = equations.steps();
+        if steps.is_empty() {
+            return None;
+        }
+        let normal = self.field.borrow_mut().normal(e)?;
+        let normal = equations.replaced(self, normal)?;
+        self.show_with(e, &normal, sign, &steps)
+    }
+
+    /// States the sign of a formula that has this normal form by the equations.
+    fn show_with(
+        &mut self,
+        e: &Formula,
+        normal: &RationalFunction,
+        sign: Sign,
+        equations: &[Step],
+    ) -> Option<()> {
         let zero = integer(0);
-        match sign {
+        let (fact, shown) = match sign {
             Sign::Positive => {
-                let shown = self.show_function(&normal, sign)?;
-                let fact = Fact::Less(zero, e.clone());
-                self.step(fact, Rule::Order, &[], &[shown])?;
+                let shown = self.show_function(normal, sign)?;
+                (Fact::Less(zero, e.clone()), shown)
             }
             Sign::Nonnegative => {
-                let shown = self.show_function(&normal, sign)?;
-                let fact = Fact::AtMost(zero, e.clone());
-                self.step(fact, Rule::Order, &[], &[shown])?;
+                let shown = self.show_function(normal, sign)?;
+                (Fact::AtMost(zero, e.clone()), shown)
             }
-            Sign::Nonzero => self.show_nonzero(e, &normal)?,
-        }
+            Sign::Nonzero => self.show_nonzero(e, normal)?,
+        };
+        self.step(fact, Rule::Order, equations, &[shown])?;
         Some(())
     }
 
     /// The signs of the parts of a product, a quotient, a power or a function say enough.
-    fn parts_signed(&mut self, e: &Formula, sign: Sign) -> bool {
+    pub(super) fn parts_signed(&mut self, e: &Formula, sign: Sign) -> bool {
         match e {
             Formula::Negate(a) => sign == Sign::Nonzero && self.signed(a, sign).is_some(),
             Formula::Binary(Operator::Multiply | Operator::Divide, a, b) => {
@@ -75,16 +113,14 @@ impl Builder<'_> {
         }
     }
 
-    /// `0 < e`, `e < 0`, or `e != 0` factor by factor.
-    fn show_nonzero(&mut self, e: &Formula, normal: &RationalFunction) -> Option<()> {
+    /// `0 < e`, `e < 0`, or `e != 0` factor by factor, and by what it is shown.
+    fn show_nonzero(&mut self, e: &Formula, normal: &RationalFunction) -> Option<(Fact, Formula)> {
         let zero = integer(0);
         if let Some(shown) = self.show_function(normal, Sign::Positive) {
-            let fact = Fact::Less(zero, e.clone());
-            return self.step(fact, Rule::Order, &[], &[shown]).map(|_| ());
+            return Some((Fact::Less(zero, e.clone()), shown));
         }
         if let Some(shown) = self.show_function(&normal.neg(), Sign::Positive) {
-            let fact = Fact::Less(e.clone(), zero);
-            return self.step(fact, Rule::Order, &[], &[shown]).map(|_| ());
+            return Some((Fact::Less(e.clone(), zero), shown));
         }
         let (content, factors) = {
             let field = self.field.borrow();
@@ -99,9 +135,7 @@ impl Builder<'_> {
             self.nonzero(&written)?;
             shown = times(shown, power(written, integer(exponent)));
         }
-        let fact = Fact::Different(e.clone(), zero);
-        self.step(fact, Rule::Order, &[], &[negate(shown)])
-            .map(|_| ())
+        Some((Fact::Different(e.clone(), zero), negate(shown)))
     }
 
     /// A rational function written so that its sign is seen.
@@ -144,11 +178,12 @@ impl Builder<'_> {
         self.show_related(p, strict)
             .or_else(|| self.show_monomial(p, strict))
             .or_else(|| self.show_divided(p, strict))
+            .or_else(|| self.show_powers(p, strict))
             .or_else(|| self.show_sum(p, strict))
     }
 
     /// By a relation in sight, up to a factor.
-    fn show_related(&mut self, p: &Polynomial, strict: bool) -> Option<Formula> {
+    pub(super) fn show_related(&mut self, p: &Polynomial, strict: bool) -> Option<Formula> {
         let (content, primitive) = p.primitive();
         let sign = match strict {
             true => Sign::Positive,
@@ -246,94 +281,32 @@ impl Builder<'_> {
         None
     }
 
-    /// As a sum of products of relations.
+    /// As a sum of products of relations: of those between the indeterminates of the polynomial,
+    /// then of those that lead to others.
     fn show_sum(&mut self, p: &Polynomial, strict: bool) -> Option<Formula> {
         let atoms = self.atom_generators(p);
         let near = self.generators(&p.symbols(), &atoms);
-        let far = self.generators(&self.reach(p.symbols()), &atoms);
-        let field = self.field.clone();
-        let field = field.borrow();
-        let factors = usize::try_from(degree(p)).unwrap_or(FACTORS).min(FACTORS);
-        (1..=factors).find_map(|factors| {
-            let sum = show(p, &near, strict, factors, &field);
-            sum.or_else(|| match far.len() > near.len() {
-                true => show(p, &far, strict, factors, &field),
-                false => None,
-            })
-        })
-    }
-
-    /// The indeterminates that relations join with these.
-    fn reach(&self, mut symbols: BTreeSet<Symbol>) -> BTreeSet<Symbol> {
-        loop {
-            let before = symbols.len();
-            for relation in self.relations().filter(|relation| !relation.derived) {
-                let own = relation.difference.symbols();
-                if !own.is_disjoint(&symbols) {
-                    symbols.extend(own);
-                }
+        if let Some(sum) = self.show_by(p, &near, strict) {
+            return Some(sum);
+        }
+        let reached = self.reach(p.symbols());
+        self.bound_powers(&reached);
+        let mut atoms = atoms;
+        for symbol in reached.iter().filter(|symbol| symbol.starts_with('@')) {
+            if !p.contains(symbol) {
+                atoms.extend(self.atom_generators(&Polynomial::symbol(symbol)));
             }
-            if symbols.len() == before {
-                return symbols;
-            }
+        }
+        let far = self.generators(&reached, &atoms);
+        match far.len() > near.len() {
+            true => self.show_by(p, &far, strict),
+            false => None,
         }
     }
 
-    /// The relations between these indeterminates.
-    fn generators(&self, symbols: &BTreeSet<Symbol>, atoms: &[Generator]) -> Vec<Generator> {
+    fn show_by(&self, p: &Polynomial, by: &[Generator], strict: bool) -> Option<Formula> {
         let field = self.field.borrow();
-        let mut all: Vec<Generator> = atoms.to_vec();
-        for relation in self.relations() {
-            let Some(polynomial) = relation.difference.as_polynomial() else {
-                continue;
-            };
-            let strict = matches!(relation.fact, Fact::Less(..));
-            let wanted = !relation.derived
-                && !matches!(relation.fact, Fact::Different(..))
-                && polynomial.as_constant().is_none()
-                && polynomial.symbols().is_subset(symbols);
-            if !wanted {
-                continue;
-            }
-            match all.iter_mut().find(|other| other.polynomial == *polynomial) {
-                Some(other) => other.strict |= strict,
-                None => all.push(Generator {
-                    written: field.write_polynomial(polynomial),
-                    polynomial: polynomial.clone(),
-                    strict,
-                }),
-            }
-        }
-        all
-    }
-
-    /// The atoms of a polynomial that are no names, and squares of names in it.
-    fn atom_generators(&mut self, p: &Polynomial) -> Vec<Generator> {
-        let mut all = Vec::new();
-        for symbol in p.symbols() {
-            let written = self.field.borrow().formula(&symbol);
-            let polynomial = Polynomial::symbol(&symbol);
-            if !matches!(written, Formula::Name(_)) {
-                let strict = self.knows(&written, Sign::Positive)
-                    || self.parts_signed(&written, Sign::Positive);
-                if strict || self.knows(&written, Sign::Nonnegative) {
-                    all.push(Generator {
-                        polynomial,
-                        written,
-                        strict,
-                    });
-                }
-            } else if p.degree(&symbol) > 1 {
-                let square = polynomial.mul(&polynomial, &self.field.borrow().budget);
-                if let Ok(polynomial) = square {
-                    all.push(Generator {
-                        polynomial,
-                        written: power(written, integer(2)),
-                        strict: false,
-                    });
-                }
-            }
-        }
-        all
+        let factors = usize::try_from(degree(p)).unwrap_or(FACTORS).min(FACTORS);
+        (1..=factors).find_map(|factors| show(p, by, strict, factors, &field))
     }
 }

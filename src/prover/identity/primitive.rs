@@ -55,7 +55,9 @@ pub(super) fn power(
     if is_zero(&next) {
         return None;
     }
-    let c = cx.algebra.tidy(&div(product.coefficient.clone(), next.clone()));
+    let c = cx
+        .algebra
+        .tidy(&div(product.coefficient.clone(), next.clone()));
     by_primitive(b, r, &|x| Some(mul(c.clone(), pow(var(x), next.clone()))))
 }
 
@@ -85,11 +87,7 @@ impl Laurent {
         let origin = powers.get(&0).cloned().unwrap_or(int(0));
         // x = (u - origin)/slope, u under the name of x.
         let place = div(sub(Formula::Name(x.clone()), origin), slope.clone());
-        let above = Formula::binary(
-            Operator::Multiply,
-            e.clone(),
-            pow(form.clone(), int(order)),
-        );
+        let above = Formula::binary(Operator::Multiply, e.clone(), pow(form.clone(), int(order)));
         let above = algebra.tidy(&above);
         let moved = substitute(&above, &[(x.clone(), place)]).ok()?;
         let terms = algebra.in_powers(&moved, x)?.into_iter();

@@ -74,11 +74,18 @@ impl Algebra {
         for (factor, exponent) in f.denominator() {
             // A denominator is written with a positive leading sign where there is a choice.
             let negative = factor.terms().next_back().is_some_and(|(_, c)| *c < 0);
-            let factor = if negative { factor.neg() } else { factor.clone() };
+            let factor = if negative {
+                factor.neg()
+            } else {
+                factor.clone()
+            };
             if negative && exponent % 2 == 1 {
                 above = above.neg();
             }
-            below = mul(below, pow(self.polynomial(&factor), int((*exponent).into())));
+            below = mul(
+                below,
+                pow(self.polynomial(&factor), int((*exponent).into())),
+            );
         }
         div(self.polynomial(&above), below)
     }

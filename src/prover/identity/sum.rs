@@ -34,7 +34,9 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Val
         let body = substitute(&r.body, &[(r.name.clone(), j.clone())]).ok()?;
         b.equal(&body, &difference)
     })?;
-    let finite = b.block(variable(), within(&next_end), |b, _| b.finite_step(&at(&j)?))?;
+    let finite = b.block(variable(), within(&next_end), |b, _| {
+        b.finite_step(&at(&j)?)
+    })?;
     let found = Formula::binary(Subtract, at(&next_end)?, at(&r.from)?);
     let fact = Fact::Same(Formula::Ranged(Box::new(r.clone())), found.clone());
     let step = b.step(fact, Rule::Telescope, &[step, finite], &[at(&j)?])?;

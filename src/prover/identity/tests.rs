@@ -210,3 +210,23 @@ fn borders() {
         |builder, a, b| builder.equal_or_split(a, b),
     );
 }
+
+#[test]
+fn order_of_powers() {
+    let kn = "given int k, n; real r\ndomain 1 <= k <= n\n";
+    let kn = kn.trim_end();
+    assert!(sign(kn, "1 - sqrt(k/n)", 0));
+    assert!(sign(kn, "sqrt(k/n) - sqrt((k-1)/n)", 1));
+    assert!(sign(kn, "1 - (k/n)^(1/3)", 0));
+    assert!(sign(kn, "(k/n)^(1/3) - ((k-1)/n)^(1/3)", 1));
+    let between = format!("{kn}\ndomain sqrt((k-1)/n) < r < sqrt(k/n)");
+    assert!(sign(&between, "r", 1));
+    assert!(sign(&between, "1 - r", 0));
+    let closed = format!("{kn}\ndomain k >= 2\ndomain ((k-1)/n)^(1/3) <= r <= (k/n)^(1/3)");
+    assert!(sign(&closed, "r^3", 1));
+    assert!(sign(
+        "given int k; real r\ndomain 0 < r < 1\ndomain k >= 1",
+        "1 - r^k",
+        1
+    ));
+}

@@ -36,7 +36,12 @@ fn quantity(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Value> {
 }
 
 /// States that neither formula has a value: a variance has none where the mean is infinite.
-pub(super) fn undefined(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+pub(super) fn undefined(
+    b: &mut Builder,
+    cx: &mut Context,
+    x: &Formula,
+    y: &Formula,
+) -> Option<Step> {
     let (u, first) = without(b, cx, x)?;
     let (v, last) = without(b, cx, y)?;
     let middle = b.step(Fact::Same(u.clone(), v.clone()), Rule::None, &[], &[])?;
