@@ -68,16 +68,13 @@ fn words(found: &Found) -> String {
         text.push_str(&line(failed));
         text.push('\n');
     }
-    let Found {
-        theorems,
-        refutations,
-        steps,
-        not_replayed,
-        ..
-    } = found;
     text.push_str(&format!(
-        "{theorems} theorems and {refutations} refutations replayed by the kernel, in {steps} steps\n"
+        "{} and {} replayed by the kernel, in {}\n",
+        counted(found.theorems, "theorem"),
+        counted(found.refutations, "refutation"),
+        counted(found.steps, "step"),
     ));
+    let not_replayed = &found.not_replayed;
     if !not_replayed.is_empty() {
         text.push_str(&format!(
             "{} expansions refuted by their remainder were not replayed: {}\n",
@@ -90,4 +87,12 @@ fn words(found: &Found) -> String {
         n => text.push_str(&format!("{n} failed\n")),
     }
     text
+}
+
+/// `1 step`, `2 steps`
+fn counted(count: usize, word: &str) -> String {
+    match count {
+        1 => format!("1 {word}"),
+        _ => format!("{count} {word}s"),
+    }
 }
