@@ -80,8 +80,6 @@ pub mod kernel;
 #[cfg(feature = "engine")]
 pub mod algebra;
 #[cfg(feature = "engine")]
-pub mod corpus;
-#[cfg(feature = "engine")]
 pub mod evaluate;
 #[cfg(feature = "engine")]
 pub mod judge;
@@ -95,4 +93,5 @@ pub mod prover;
 pub mod special;
 
 pub mod cli;
+pub mod corpus;
 pub mod report;

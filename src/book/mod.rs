@@ -15,7 +15,7 @@ mod typing;
 mod unfold;
 
 pub use read::{FileError, read, read_text};
-pub use unfold::IllTyped;
+pub use unfold::{IllTyped, has_expansion};
 
 use crate::formula::{Condition, Draw, Formula, Name, Parameter, Regime, Statement};
 pub use scope::Places;

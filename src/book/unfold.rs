@@ -325,8 +325,8 @@ fn with_regime(statement: &Statement, read: Option<&Regime>) -> Statement {
     }
 }
 
-/// Whether there is an expansion in the statement, for a `read` line to be about.
-pub(super) fn has_expansion(statement: &Statement) -> bool {
+/// Whether there is an expansion in the statement: a link that speaks of a limit.
+pub fn has_expansion(statement: &Statement) -> bool {
     match statement {
         Statement::Chain { links, .. } => expands(links),
         Statement::All(items) => items.iter().any(has_expansion),

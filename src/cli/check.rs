@@ -1,24 +1,24 @@
 //! `claimcheck check`: the main job.
 
 use super::judging::Judging;
-use super::output::{Exit, Failure, to_stdout};
+use super::output::{Exit, Failure, to_stderr, to_stdout};
 use crate::corpus::Run;
+use crate::corpus::certificates::Store;
 use crate::report::human::{self, Rows};
 use crate::report::{json, junit, sarif};
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 
 /// Judges the claims of a book and compares the verdicts with what is expected
 #[derive(Debug, Args)]
 pub(super) struct Check {
-    /// Chapters, or folders of chapters [default: proofs]
-    #[arg(value_name = "PATH")]
-    paths: Vec<PathBuf>,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
     /// Only the claims with these ids
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     only: Vec<String>,
+    /// Writes the certificates of what is proved or refuted
+    #[arg(long)]
+    save: bool,
     #[command(flatten)]
     judging: Judging,
 }
@@ -33,15 +33,33 @@ enum Format {
 
 impl Check {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let run = self.judging.run(&self.paths, self.only)?;
+        let run = self.judging.run(self.only, self.save)?;
         let rows = if self.judging.quiet {
             Rows::Unexpected
         } else {
             Rows::All
         };
         to_stdout(&render(&run, self.format, rows)?)?;
+        if self.save && !self.judging.quiet {
+            to_stderr(&saved(&run, &self.judging.library.store()));
+        }
         Ok(exit(&run))
     }
+}
+
+/// What became of the certificates, in words.
+fn saved(run: &Run, store: &Store) -> String {
+    let folders: Vec<String> = store
+        .folders()
+        .iter()
+        .map(|folder| folder.display().to_string())
+        .collect();
+    format!(
+        "certificates in {}: {} written, {} unchanged",
+        folders.join(", "),
+        run.saved.written,
+        run.saved.unchanged
+    )
 }
 
 fn render(run: &Run, format: Format, rows: Rows) -> Result<String, Failure> {

@@ -5,14 +5,10 @@ use super::judging::Judging;
 use super::output::{Exit, Failure, to_stdout};
 use crate::report::errata;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 
 /// Writes the errata sheet: wrong statements, missing conditions, slips of notation
 #[derive(Debug, Args)]
 pub(super) struct Errata {
-    /// Chapters, or folders of chapters [default: proofs]
-    #[arg(value_name = "PATH")]
-    paths: Vec<PathBuf>,
     #[arg(long, value_enum, default_value_t = Format::Markdown)]
     format: Format,
     /// Only the claims with these ids
@@ -30,7 +26,7 @@ enum Format {
 
 impl Errata {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let run = self.judging.run(&self.paths, self.only)?;
+        let run = self.judging.run(self.only, false)?;
         let text = match self.format {
             Format::Markdown => errata::markdown(&run.reports),
             Format::Latex => errata::latex(&run.reports),

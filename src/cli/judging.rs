@@ -1,13 +1,11 @@
 //! What all commands that judge a book have in common: their options, the run, its progress bar.
 
-use super::library::open;
-use super::output::{Exit, Failure};
+use super::library::Library;
+use super::output::{Failure, of_run};
 use crate::corpus::{self, Options, Run};
 use crate::judge::Settings;
-use crate::report::diagnostic;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::path::PathBuf;
 use std::sync::Once;
 use std::time::{Duration, Instant};
 
@@ -17,6 +15,8 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Which claims are judged, and how hard.
 #[derive(Debug, Args)]
 pub(super) struct Judging {
+    #[command(flatten)]
+    pub(super) library: Library,
     /// Threads [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
@@ -36,9 +36,9 @@ pub(super) struct Judging {
 }
 
 impl Judging {
-    /// Judges the claims of the book under `paths`: those that `only` names, or all.
-    pub(super) fn run(&self, paths: &[PathBuf], only: Vec<String>) -> Result<Run, Failure> {
-        let book = open(paths)?;
+    /// Judges the claims of the book: those that `only` names, or all; `save` writes certificates.
+    pub(super) fn run(&self, only: Vec<String>, save: bool) -> Result<Run, Failure> {
+        let book = self.library.open()?;
         let settings = Settings {
             seed: self.seed,
             digits: self.digits,
@@ -48,28 +48,15 @@ impl Judging {
         let options = Options {
             only,
             jobs: self.jobs.unwrap_or(0).into(),
+            certificates: Some(self.library.store()),
+            save,
         };
-        let count = corpus::chosen(&book, &options.only).map_err(failure)?.len();
+        let count = corpus::chosen(&book, &options.only).map_err(of_run)?.len();
         let bar = Bar::new(count, self.quiet);
         let run = corpus::run(&book, &settings, &options, |done| bar.show(done));
         bar.bar.finish_and_clear();
-        run.map_err(failure)
+        run.map_err(of_run)
     }
-}
-
-fn failure(error: corpus::Error) -> Failure {
-    let hint = match &error {
-        corpus::Error::UnknownId { nearest, .. } => {
-            nearest.as_ref().map(|id| format!("did you mean `{id}`?"))
-        }
-        _ => None,
-    };
-    let exit = match error {
-        corpus::Error::UnknownId { .. } => Exit::Input,
-        corpus::Error::Internal { .. } | corpus::Error::Threads(_) => Exit::Internal,
-    };
-    let text = diagnostic::plain(&error.to_string(), hint.as_deref());
-    Failure { exit, text }
 }
 
 /// A progress bar on stderr, if that is a terminal, from the second second on.

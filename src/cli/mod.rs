@@ -9,7 +9,6 @@ mod check;
 mod errata;
 #[cfg(feature = "engine")]
 mod eval;
-#[cfg(feature = "engine")]
 mod explain;
 #[cfg(feature = "engine")]
 mod judging;
@@ -38,7 +37,6 @@ enum Command {
     Check(check::Check),
     #[cfg(feature = "engine")]
     Eval(eval::Eval),
-    #[cfg(feature = "engine")]
     Explain(explain::Explain),
     #[cfg(feature = "engine")]
     Errata(errata::Errata),
@@ -105,6 +103,7 @@ fn run(command: Command) -> Result<Exit, Failure> {
 #[cfg(not(feature = "engine"))]
 fn run(command: Command) -> Result<Exit, Failure> {
     match command {
+        Command::Explain(explain) => explain.run(),
         Command::Recheck(recheck) => recheck.run(),
         Command::Absent(words) => Err(Failure::input(
             &format!(

@@ -1,5 +1,6 @@
 //! Where text goes and how a command ends.
 
+use crate::corpus;
 use crate::report::diagnostic;
 use std::io::{self, Write};
 
@@ -37,6 +38,30 @@ impl Failure {
     #[cfg(feature = "engine")]
     pub(super) fn at(argument: &str, text: &str, error: &crate::formula::Diagnostic) -> Failure {
         Failure::rendered(diagnostic::render(argument, text, error))
+    }
+}
+
+/// A run that came to no reports.
+pub(super) fn of_run(error: corpus::Error) -> Failure {
+    let hint = match &error {
+        corpus::Error::UnknownId { nearest, .. } => {
+            nearest.as_ref().map(|id| format!("did you mean `{id}`?"))
+        }
+        _ => None,
+    };
+    let exit = match error {
+        corpus::Error::UnknownId { .. } | corpus::Error::Unwritable(_) => Exit::Input,
+        corpus::Error::Internal { .. } | corpus::Error::Threads(_) => Exit::Internal,
+    };
+    let text = diagnostic::plain(&error.to_string(), hint.as_deref());
+    Failure { exit, text }
+}
+
+/// A fault of ours, not of the user's.
+pub(super) fn internal(message: &str) -> Failure {
+    Failure {
+        exit: Exit::Internal,
+        ..Failure::input(&format!("internal fault: {message}"), None)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::verdict::{Extent, Verdict};
 use crate::formula::Point;
+use crate::kernel::proof::{Script, Theorem};
 use crate::kernel::{Refutation, Witness};
 
 /// What was found out about one part of a statement, or about the whole.
@@ -12,6 +13,16 @@ pub struct Finding {
     pub reason: Option<String>,
     pub witness: Option<Evidence>,
     pub series: Option<String>,
+    pub proof: Option<Box<Proof>>,
+    /// What is both proved and refuted: a fault of ours.
+    pub contradiction: Option<String>,
+}
+
+/// A proof, and what the kernel makes of it.
+#[derive(Debug)]
+pub struct Proof {
+    pub script: Script,
+    pub theorem: Theorem,
 }
 
 /// Why a part is refuted.
@@ -40,6 +51,8 @@ impl Finding {
             reason: None,
             witness: None,
             series: None,
+            proof: None,
+            contradiction: None,
         }
     }
 

@@ -1,12 +1,15 @@
-//! Statement to verdict: refute if possible, else certify, within a budget of counted steps.
+//! Statement to verdict: refute if possible, else prove, else certify, within a budget of counted
+//! steps.
 //!
 //! The judge finds; it is not believed. A failure that it sees counts only when the kernel checks it
-//! ([`crate::kernel::check_witness`]); what it cannot decide stays `undecided`.
+//! ([`crate::kernel::check_witness`]), a proof only when the kernel makes a
+//! [`crate::kernel::proof::Theorem`] of it; what it cannot decide stays `undecided`.
 
 mod duties;
 mod finding;
 mod functions;
 mod points;
+mod proof;
 mod relate;
 mod search;
 mod statement;
@@ -18,11 +21,13 @@ pub use verdict::{Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, 
 
 use crate::book::{Claim, Fault, IllTyped};
 use crate::formula::{Budget, Condition, Point, Proposition, Relation, Statement};
+use crate::kernel::proof::{Certificate, Theorem};
 use crate::kernel::{Because, Value};
 use crate::number::Interval;
 use crate::number::convert::to_rug;
-use finding::{Evidence, Finding};
+use finding::{Evidence, Finding, Proof};
 use points::Domain;
+use proof::decide;
 use statement::{holds_at, is_expansion, judge_proposition};
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -53,10 +58,22 @@ impl Default for Settings {
 
 /// Judges one claim. `previous` is the claim that its `after` line names.
 pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Report {
+    judge_with(claim, previous, &[], settings)
+}
+
+/// Judges one claim, of which these certificates are kept. They are replayed before anything is
+/// searched for; those of other statements, and broken ones, count for nothing.
+pub fn judge_with(
+    claim: &Claim,
+    previous: Option<&Claim>,
+    kept: &[Certificate],
+    settings: &Settings,
+) -> Report {
     let started = Instant::now();
     let budget = Budget::new(settings.budget);
     let bench = Bench {
         claim,
+        kept,
         settings,
         budget: &budget,
     };
@@ -72,6 +89,11 @@ pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Re
         mended.as_ref(),
         mended_finding.as_ref(),
     );
+    let findings = [Some(&printed_finding), mended_finding.as_ref()];
+    let contradiction = findings
+        .into_iter()
+        .flatten()
+        .find_map(|finding| finding.contradiction.clone());
     let printed_finding = clearer.unwrap_or(printed_finding);
     let mut printed = answer(printed_finding, &printed, &claim.says_text, fault);
     printed.links = bench.links(previous);
@@ -96,12 +118,14 @@ pub fn judge(claim: &Claim, previous: Option<&Claim>, settings: &Settings) -> Re
         as_expected,
         steps: budget.spent(),
         seconds: started.elapsed().as_secs_f64(),
+        contradiction,
     }
 }
 
 /// One claim on the bench, with what may be spent on it.
 struct Bench<'a> {
     claim: &'a Claim,
+    kept: &'a [Certificate],
     settings: &'a Settings,
     budget: &'a Budget,
 }
@@ -112,7 +136,7 @@ const SHUT_OUT_POINTS: usize = 60;
 impl Bench<'_> {
     fn find(&self, unfolded: &Result<Proposition, IllTyped>) -> Finding {
         match unfolded {
-            Ok(proposition) => judge_proposition(proposition, self.budget, self.settings),
+            Ok(proposition) => decide(proposition, self.kept, self.budget, self.settings),
             Err(illtyped) => Finding::because(Verdict::IllTyped, illtyped.to_string()),
         }
     }
@@ -201,6 +225,7 @@ fn answer(
     written: &str,
     fault: Fault,
 ) -> Answer {
+    let theorem = finding.proof.as_ref().map(|proof| &proof.theorem);
     Answer {
         verdict: finding.verdict,
         fault: (finding.verdict == Verdict::Refuted).then_some(fault),
@@ -211,12 +236,43 @@ fn answer(
             .unwrap_or_default(),
         extent: finding.extent,
         reason: finding.reason,
-        witness: finding.witness.map(report_witness),
         links: Vec::new(),
         series: finding.series,
         constants: None,
-        facts: Vec::new(),
+        proved_links: theorem.map_or_else(Vec::new, |t| t.links().iter().map(|l| l + 1).collect()),
+        facts: theorem.map_or_else(Vec::new, facts),
         certificate: None,
+        evidence: certificate(unfolded, finding.proof.as_deref(), finding.witness.as_ref()),
+        witness: finding.witness.map(report_witness),
+    }
+}
+
+/// The facts of mathematics that a theorem rests on, each once, in the order of the kernel's rules.
+fn facts(theorem: &Theorem) -> Vec<String> {
+    let mut facts: Vec<String> = Vec::new();
+    for source in theorem.rules().iter().map(|rule| rule.source()) {
+        if !source.is_empty() && !facts.iter().any(|known| known == source) {
+            facts.push(source.to_string());
+        }
+    }
+    facts
+}
+
+/// What the kernel can replay of a finding: its proof, or else its witness.
+fn certificate(
+    unfolded: &Result<Proposition, IllTyped>,
+    proof: Option<&Proof>,
+    witness: Option<&Evidence>,
+) -> Option<Certificate> {
+    match (unfolded, proof, witness) {
+        (_, Some(proof), _) => Some(Certificate::Theorem(proof.script.clone())),
+        (Ok(proposition), None, Some(Evidence::Checked { witness, .. })) => {
+            Some(Certificate::Refutation {
+                proposition: proposition.clone(),
+                witness: witness.clone(),
+            })
+        }
+        _ => None,
     }
 }
 

@@ -15,7 +15,7 @@ use crate::formula::{
 use crate::prover::{ExpansionVerdict, judge_expansion};
 
 /// One part of a statement; relations and duties are numbered as the kernel numbers them.
-enum Part<'a> {
+pub enum Part<'a> {
     Relation {
         left: &'a Formula,
         relation: Relation,
@@ -37,35 +37,72 @@ enum Part<'a> {
     Unresolved,
 }
 
-/// Judges a proposition.
+/// Judges a proposition by what its parts do at points of the domain.
 pub fn judge_proposition(
     proposition: &Proposition,
     budget: &Budget,
     settings: &Settings,
 ) -> Finding {
-    let parts = parts(&proposition.statement);
-    if parts.iter().all(|part| matches!(part, Part::Noted)) {
-        return Finding::plain(Verdict::Noted);
+    match Trial::new(proposition, budget, settings) {
+        Ok(trial) => trial.whole(),
+        Err(finding) => finding,
     }
-    if contradictory(proposition) {
-        return Finding::because(Verdict::Vacuous, "the conditions contradict each other");
-    }
-    let points = points(proposition, budget, settings);
-    let mut number = 0;
-    let mut worst: Option<Finding> = None;
-    for part in &parts {
-        let finding = judge_part(part, proposition, &points, number, budget, settings);
-        number += part.count();
-        let refuted = finding.verdict == Verdict::Refuted;
-        worst = Some(match worst {
-            Some(worst) => worse(worst, finding),
-            None => finding,
-        });
-        if refuted {
-            break;
+}
+
+/// What the parts of a statement came to, one after the other, up to the first that is refuted.
+pub struct Trial<'a> {
+    pub points: Vec<Point>,
+    pub parts: Vec<Part<'a>>,
+    pub findings: Vec<Finding>,
+}
+
+impl<'a> Trial<'a> {
+    /// Tries the parts of the statement.
+    ///
+    /// # Errors
+    /// What there is to say of a proposition without anything to try.
+    pub fn new(
+        proposition: &'a Proposition,
+        budget: &Budget,
+        settings: &Settings,
+    ) -> Result<Trial<'a>, Finding> {
+        let parts = parts(&proposition.statement);
+        if parts.iter().all(|part| matches!(part, Part::Noted)) {
+            return Err(Finding::plain(Verdict::Noted));
         }
+        if contradictory(proposition) {
+            let why = "the conditions contradict each other";
+            return Err(Finding::because(Verdict::Vacuous, why));
+        }
+        let points = points(proposition, budget, settings);
+        let mut number = 0;
+        let mut findings = Vec::new();
+        for part in &parts {
+            let finding = judge_part(part, proposition, &points, number, budget, settings);
+            number += part.count();
+            let refuted = finding.verdict == Verdict::Refuted;
+            findings.push(finding);
+            if refuted {
+                break;
+            }
+        }
+        Ok(Trial {
+            points,
+            parts,
+            findings,
+        })
     }
-    worst.unwrap_or_else(|| Finding::plain(Verdict::Noted))
+
+    /// The statement is as good as its worst part.
+    pub fn whole(self) -> Finding {
+        let worst = self.findings.into_iter().reduce(worse);
+        worst.unwrap_or_else(|| Finding::plain(Verdict::Noted))
+    }
+}
+
+/// Whether a proof would be better than this.
+pub fn is_open(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Certified | Verdict::Undecided)
 }
 
 /// Whether the statement's relations (not its expansions) all hold at one point; `None` where they
@@ -166,6 +203,11 @@ fn has_order_term(formula: &Formula) -> bool {
 }
 
 impl Part<'_> {
+    /// Whether it speaks of a limit, not of single points.
+    pub fn is_expansion(&self) -> bool {
+        matches!(self, Part::Expansion { .. })
+    }
+
     /// How many of the kernel's numbers the part takes up.
     fn count(&self) -> usize {
         match self {

@@ -1,6 +1,7 @@
 //! What the judge answers, as plain data: the JSON of the command line is this, field by field.
 
 use crate::book::Fault;
+use crate::kernel::proof::Certificate;
 use serde::Serialize;
 
 /// A verdict, best first. `undecided` and `noted` never count as a pass.
@@ -75,6 +76,9 @@ pub struct Report {
     pub as_expected: bool,
     pub steps: u64,
     pub seconds: f64,
+    /// The kernel proves and refutes the same: a fault of this program, not of the book.
+    #[serde(skip)]
+    pub contradiction: Option<String>,
 }
 
 /// The verdict on one statement, with its evidence.
@@ -95,8 +99,15 @@ pub struct Answer {
     /// Terms of an expansion beyond the print, as text.
     pub series: Option<String>,
     pub constants: Option<Constants>,
+    /// The links that are proved, from 1 as certificates count them.
+    pub proved_links: Vec<usize>,
+    /// The facts of mathematics that the proof rests on.
     pub facts: Vec<String>,
+    /// The file that holds the certificate, relative to the book; none where it is not saved.
     pub certificate: Option<String>,
+    /// What the kernel replays: the proof, or the witness.
+    #[serde(skip)]
+    pub evidence: Option<Certificate>,
 }
 
 /// How far a certified or refuted verdict was tried.

@@ -1,85 +1,200 @@
-//! Derivatives by the rules of calculus, and function parameters as the polynomials they are.
+//! Derivatives by the rules of calculus, and limits by continuity.
 //!
-//! Where the formula and its derived tree both have finite values, every part is differentiable at
-//! the point (roots and logarithms are inside their domains, divisors are not zero), so that the
-//! rules hold. A derived tree without value proves nothing.
+//! Both are taken around a place: a formula that has a value with the name bound to an enclosure has
+//! one at each of its numbers, and every function that the kernel knows of such an enclosure is
+//! continuous on it (what jumps or has gaps refuses an enclosure around the place where it does).
 
-use super::integrand::{Variable, fraction};
-use super::interval::Value;
-use super::polynomial::Polynomial;
-use super::scope::{Binding, Scope};
-use super::value::value_in;
-use super::{Unknown, unknown};
-use crate::formula::{Formula, Function, Name, Operator, Point, RangeKind};
+use super::interval::Interval;
+use super::law;
+use super::quantity::Quantity;
+use super::scope::Scope;
+use super::value::{evaluate, finite, number};
+use super::{Found, Unknown, known, unknown};
+use crate::formula::{
+    Draw, Formula, Function, Law, Name, Operator, Part, RangeKind, Substitution, free_names,
+};
 use num_traits::ToPrimitive;
 
 /// No higher derivative is taken.
 const ORDER_CAP: u64 = 12;
 
-/// A function of the point as a polynomial in its argument, with rational coefficients.
-pub(super) fn polynomial_of(name: &Name, scope: &Scope) -> Result<Polynomial, Unknown> {
-    let Some((argument, body)) = scope.point.functions.get(name) else {
-        return Err(Unknown(format!("no function is given for {name}")));
-    };
-    let nothing = Point::default();
-    let closed = scope.closed(&nothing).with(argument, Binding::Variable);
-    let variable = Variable {
-        name: argument,
-        sample: None,
-    };
-    match fraction(body, &variable, &closed)? {
-        Some(f) if f.poles.is_empty() && f.numerator.as_exact().is_some() => Ok(f.numerator),
-        _ => Err(Unknown(format!("{name} is not given as a polynomial"))),
-    }
-}
-
 /// The value of a derivative at the place that its variable stands for.
-pub(super) fn derivative(
-    f: &Formula,
-    x: &Name,
-    order: &Formula,
-    scope: &Scope,
-) -> Result<Value, Unknown> {
-    match value_in(f, scope)? {
-        Value::Undefined => return Ok(Value::Undefined),
-        Value::Finite { .. } => {}
-        _ => return unknown("a derivative of what is infinite"),
-    }
-    match value_in(&derived(f, x, order, scope)?, scope)? {
-        Value::Finite { low, high } => Ok(Value::Finite { low, high }),
-        _ => unknown("a derivative whose rule has no value here"),
-    }
-}
-
-/// The formula of a derivative of a given order.
-pub(super) fn derived(
-    f: &Formula,
-    x: &Name,
-    order: &Formula,
-    scope: &Scope,
-) -> Result<Formula, Unknown> {
-    let order = value_in(order, scope)?.finite();
-    let order = order.as_ref().and_then(|n| n.as_integer()?.to_u64());
+pub(super) fn derivative(f: &Formula, x: &Name, order: &Formula, scope: &Scope) -> Found<Quantity> {
+    let order = number(order, scope)?.as_integer().and_then(|n| n.to_u64());
     let Some(order) = order.filter(|&n| n <= ORDER_CAP) else {
         return unknown("a derivative whose order is no small integer");
     };
-    let mut result = f.clone();
+    // Of an integral's variable, all but finitely many numbers have such a neighbourhood.
+    let around = match scope.look_up(x)?.finite()?.as_number() {
+        Some(place) => scope.with(x, place.around(scope.bits)),
+        None => scope.clone(),
+    };
+    finite(f, &around)?;
+    let no_rule = "a derivative whose rule has no value here";
+    let mut derived = unfolded(f, scope)?;
     for _ in 0..order {
-        result = derive(&result, x, scope)?;
+        derived = derive(&derived, x)?;
+        scope.spend(Part::Formula(&derived).nodes(1 << 16) as u64)?;
+        known(finite(&derived, &around), no_rule)?;
     }
-    Ok(result)
+    Ok(known(evaluate(&derived, scope), no_rule)?)
+}
+
+/// The formula with the function parameters as the bodies that the point gives them.
+fn unfolded(f: &Formula, scope: &Scope) -> Result<Formula, Unknown> {
+    let mut substitution = Substitution::new();
+    for (name, (argument, body)) in &scope.point.functions {
+        substitution.function(name.clone(), vec![argument.clone()], body.clone());
+    }
+    let unfolded = substitution.formula(f);
+    unfolded.map_err(|why| Unknown(why.to_string()))
+}
+
+/// The limit of a formula as names tend to finite targets, from all sides: the value there, of a
+/// formula that has values all around.
+pub(super) fn limit(f: &Formula, places: &[(Name, Formula)], scope: &Scope) -> Found<Quantity> {
+    let (mut target, mut around) = (scope.clone(), scope.clone());
+    for (name, place) in places {
+        let place = number(place, scope)?;
+        around = around.with(name, place.around(scope.bits));
+        target = target.with(name, place);
+    }
+    let moves = |(name, _): &(Name, Formula), f| scope.occurs(name, Part::Formula(f));
+    if let Formula::Mean(body, own) = f
+        && let Some((draw, _)) = law::draw_of(body, own.as_deref(), scope)?
+        && let Law::Beta(a, b) = &draw.law
+        && !places.iter().any(|place| moves(place, body))
+    {
+        // The parameters tend to those at the target.
+        (number(a, &around)?, number(b, &around)?);
+        return Ok(limit_of_mean(body, own.as_deref(), &target)?);
+    }
+    finite(f, &around)?;
+    evaluate(f, &target)
+}
+
+/// The limit of the mean of a fixed body over Beta laws whose parameters converge: their densities
+/// do, hence in the mean (Scheffe's lemma), and a body that is continuous on 0..1 is bounded. Of one
+/// that is nonnegative with an infinite mean at the target, the means grow beyond all bounds
+/// (Fatou's lemma); the mean was found infinite for a body of one sign only.
+fn limit_of_mean(body: &Formula, own: Option<&Draw>, target: &Scope) -> Result<Quantity, Unknown> {
+    let why = "a limit of a mean without value";
+    let mean = known(law::mean(body, own, target), why)?;
+    if let (Quantity::Finite(_), Some((_, inner))) = (&mean, law::draw_of(body, own, target)?) {
+        let body = known(finite(body, &inner), why)?;
+        for pole in body.poles.into_keys().map(Interval::exact) {
+            if pole.compare(&Interval::integer(0))?.is_ge()
+                && pole.compare(&Interval::integer(1))?.is_le()
+            {
+                return unknown("a limit of a mean with a pole in its support");
+            }
+        }
+    }
+    Ok(mean)
+}
+
+/// The derived formula: wherever it and the formula both have finite values on an open interval, it
+/// is the derivative there.
+pub(super) fn derive(f: &Formula, x: &Name) -> Result<Formula, Unknown> {
+    if !free_names(f).contains(x) {
+        return Ok(Formula::integer(0));
+    }
+    match f {
+        Formula::Name(_) => Ok(Formula::integer(1)),
+        Formula::Negate(a) => Ok(negated(derive(a, x)?)),
+        Formula::Binary(operator, a, b) => derive_binary(*operator, a, b, x),
+        Formula::Call(function, parts) => match parts.as_slice() {
+            [a] => Ok(product(derive_call(*function, a)?, derive(a, x)?)),
+            _ => unknown("a derivative of a function without a rule"),
+        },
+        Formula::Ranged(r) if r.kind == RangeKind::Integral && r.name != *x => {
+            // The fundamental theorem, for a body that is continuous where it has a value.
+            if free_names(&r.body).contains(x) || !is_continuous(&r.body) {
+                return unknown("a derivative under the integral");
+            }
+            let end = |place: &Formula| {
+                let there = vec![(r.name.clone(), place.clone())];
+                let value = Formula::At(Box::new(r.body.clone()), there);
+                Ok(product(value, derive(place, x)?))
+            };
+            Ok(sum(end(&r.to)?, negated(end(&r.from)?)))
+        }
+        _ => unknown("a derivative of a formula without a rule"),
+    }
+}
+
+fn derive_binary(
+    operator: Operator,
+    a: &Formula,
+    b: &Formula,
+    x: &Name,
+) -> Result<Formula, Unknown> {
+    let (da, db) = (derive(a, x)?, derive(b, x)?);
+    let (a, b) = (a.clone(), b.clone());
+    Ok(match operator {
+        Operator::Add => sum(da, db),
+        Operator::Subtract => sum(da, negated(db)),
+        Operator::Multiply => sum(product(b, da), product(a, db)),
+        Operator::Divide => {
+            let above = sum(product(b.clone(), da), negated(product(a, db)));
+            quotient(above, power(b, Formula::integer(2)))
+        }
+        Operator::Power if db == Formula::integer(0) => {
+            let less = sum(b.clone(), Formula::integer(-1));
+            product(product(b, power(a, less)), da)
+        }
+        // (e^(b*ln(a)))', which has a value for a > 0 only.
+        Operator::Power => {
+            let growth = product(quotient(b.clone(), a.clone()), da);
+            let growth = sum(product(call(Function::Ln, &a), db), growth);
+            product(power(a, b), growth)
+        }
+    })
+}
+
+/// The derivative of a function at its argument, DLMF 4.7.1, 4.7.4, 4.20.1 and 4.20.2.
+fn derive_call(function: Function, a: &Formula) -> Result<Formula, Unknown> {
+    Ok(match function {
+        Function::Exp => call(Function::Exp, a),
+        Function::Ln => quotient(Formula::integer(1), a.clone()),
+        Function::Sin => call(Function::Cos, a),
+        Function::Cos => negated(call(Function::Sin, a)),
+        Function::Sqrt => {
+            let half = Formula::Number(num_rational::Ratio::new(1.into(), 2.into()));
+            quotient(half, call(Function::Sqrt, a))
+        }
+        Function::Abs => quotient(call(Function::Abs, a), a.clone()),
+        _ => return unknown("a derivative of a function without a rule"),
+    })
+}
+
+/// Whether a formula is built of functions that are continuous wherever they have values.
+pub(super) fn is_continuous(f: &Formula) -> bool {
+    match f {
+        Formula::Number(_) | Formula::Pi | Formula::Name(_) => true,
+        Formula::Negate(a) => is_continuous(a),
+        Formula::Binary(Operator::Power, a, b) => {
+            is_continuous(a) && matches!(**b, Formula::Number(_))
+        }
+        Formula::Binary(_, a, b) => is_continuous(a) && is_continuous(b),
+        Formula::Call(Function::Exp | Function::Ln | Function::Sqrt, parts)
+        | Formula::Call(Function::Sin | Function::Cos | Function::Abs, parts) => {
+            parts.iter().all(is_continuous)
+        }
+        _ => false,
+    }
 }
 
 fn sum(a: Formula, b: Formula) -> Formula {
-    if a == Formula::integer(0) {
-        return b;
+    let zero = Formula::integer(0);
+    match (a == zero, b == zero) {
+        (true, _) => b,
+        (_, true) => a,
+        _ => Formula::binary(Operator::Add, a, b),
     }
-    if b == Formula::integer(0) {
-        return a;
-    }
-    Formula::binary(Operator::Add, a, b)
 }
 
+/// a*b for a derivative b.
 fn product(a: Formula, b: Formula) -> Formula {
     if b == Formula::integer(0) {
         return b;
@@ -94,6 +209,10 @@ fn quotient(a: Formula, b: Formula) -> Formula {
     Formula::binary(Operator::Divide, a, b)
 }
 
+fn power(a: Formula, b: Formula) -> Formula {
+    Formula::binary(Operator::Power, a, b)
+}
+
 fn negated(a: Formula) -> Formula {
     if a == Formula::integer(0) {
         return a;
@@ -103,131 +222,4 @@ fn negated(a: Formula) -> Formula {
 
 fn call(function: Function, argument: &Formula) -> Formula {
     Formula::Call(function, vec![argument.clone()])
-}
-
-/// One derivative.
-fn derive(f: &Formula, x: &Name, scope: &Scope) -> Result<Formula, Unknown> {
-    scope.spend(20)?;
-    if !scope.depends(f, x) {
-        return Ok(Formula::integer(0));
-    }
-    match f {
-        Formula::Name(_) => Ok(Formula::integer(1)),
-        Formula::Negate(a) => Ok(negated(derive(a, x, scope)?)),
-        Formula::Binary(operator, a, b) => derive_binary(*operator, a, b, x, scope),
-        Formula::Call(function, parts) => match parts.as_slice() {
-            [a] => {
-                let outer = derive_call(*function, a)?;
-                Ok(product(outer, derive(a, x, scope)?))
-            }
-            _ => unknown("a derivative of a function without a rule"),
-        },
-        Formula::Apply(name, parts) => match (parts.as_slice(), scope.point.functions.get(name)) {
-            ([a], Some((argument, body))) => {
-                polynomial_of(name, scope)?;
-                let outer = derive(body, argument, scope)?;
-                let there = vec![(argument.clone(), a.clone())];
-                let outer = Formula::At(Box::new(outer), there);
-                Ok(product(outer, derive(a, x, scope)?))
-            }
-            _ => unknown("a derivative of a function that is not given"),
-        },
-        Formula::Ranged(r) if r.kind == RangeKind::Integral && r.name != *x => {
-            // The fundamental theorem, for a body that is continuous where it has a value.
-            if scope.depends(&r.body, x) || !is_continuous(&r.body) {
-                return unknown("a derivative under the integral");
-            }
-            let end = |place: &Formula| -> Result<Formula, Unknown> {
-                let there = vec![(r.name.clone(), place.clone())];
-                let value = Formula::At(Box::new(r.body.clone()), there);
-                Ok(product(value, derive(place, x, scope)?))
-            };
-            Ok(sum(end(&r.to)?, negated(end(&r.from)?)))
-        }
-        _ => unknown("a derivative of a formula without a rule"),
-    }
-}
-
-/// Whether the formula is built of functions continuous inside their domains, where it is known to
-/// have values around every point that has one.
-pub(super) fn is_continuous(f: &Formula) -> bool {
-    match f {
-        Formula::Number(_) | Formula::Pi | Formula::Name(_) => true,
-        Formula::Negate(a) => is_continuous(a),
-        Formula::Binary(Operator::Power, a, b) => {
-            is_continuous(a) && matches!(**b, Formula::Number(ref n) if n.is_integer())
-        }
-        Formula::Binary(_, a, b) => is_continuous(a) && is_continuous(b),
-        Formula::Apply(_, parts) => parts.iter().all(is_continuous),
-        Formula::Call(Function::Exp | Function::Ln | Function::Sin | Function::Cos, parts) => {
-            parts.iter().all(is_continuous)
-        }
-        _ => false,
-    }
-}
-
-fn derive_binary(
-    operator: Operator,
-    a: &Formula,
-    b: &Formula,
-    x: &Name,
-    scope: &Scope,
-) -> Result<Formula, Unknown> {
-    if operator == Operator::Power {
-        return derive_power(a, b, x, scope);
-    }
-    let (da, db) = (derive(a, x, scope)?, derive(b, x, scope)?);
-    Ok(match operator {
-        Operator::Add => sum(da, db),
-        Operator::Subtract => sum(da, negated(db)),
-        Operator::Multiply => sum(product(b.clone(), da), product(a.clone(), db)),
-        _ => {
-            let square = Formula::binary(Operator::Power, b.clone(), Formula::integer(2));
-            let top = sum(product(b.clone(), da), negated(product(a.clone(), db)));
-            quotient(top, square)
-        }
-    })
-}
-
-/// n*a^(n-1)*a' for an integer n that does not depend on x, else a^b*(b'*ln(a) + b*a'/a), a > 0.
-fn derive_power(a: &Formula, b: &Formula, x: &Name, scope: &Scope) -> Result<Formula, Unknown> {
-    let da = derive(a, x, scope)?;
-    if !scope.depends(b, x)
-        && let Some(n) = value_in(b, scope)?
-            .finite()
-            .filter(|n| n.as_integer().is_some())
-    {
-        let n = n.low().clone();
-        let less = Formula::Number(&n - num_rational::BigRational::from_integer(1.into()));
-        let power = Formula::binary(Operator::Power, a.clone(), less);
-        return Ok(product(product(Formula::Number(n), power), da));
-    }
-    let db = derive(b, x, scope)?;
-    let whole = Formula::binary(Operator::Power, a.clone(), b.clone());
-    let growth = sum(
-        product(call(Function::Ln, a), db),
-        product(quotient(b.clone(), a.clone()), da),
-    );
-    Ok(product(whole, growth))
-}
-
-/// The derivative of a function at its argument, DLMF 4.7.1, 4.7.4, 4.20.1 and 4.20.2.
-fn derive_call(function: Function, a: &Formula) -> Result<Formula, Unknown> {
-    let one = Formula::integer(1);
-    Ok(match function {
-        Function::Exp => call(Function::Exp, a),
-        Function::Ln => quotient(one, a.clone()),
-        Function::Sin => call(Function::Cos, a),
-        Function::Cos => negated(call(Function::Sin, a)),
-        Function::Sqrt => {
-            let twice = Formula::binary(
-                Operator::Multiply,
-                Formula::integer(2),
-                call(Function::Sqrt, a),
-            );
-            quotient(one, twice)
-        }
-        Function::Abs => quotient(call(Function::Abs, a), a.clone()),
-        _ => return unknown("a derivative of a function without a rule"),
-    })
 }

@@ -1,89 +1,124 @@
 //! Conditions: true, false, or not known. A relation with a side that has no value is false.
 
-use super::integrand::relation_allows;
-use super::interval::Value;
+use super::interval::Interval;
+use super::quantity::Quantity;
 use super::scope::Scope;
-use super::value::value_in;
-use super::{Unknown, unknown};
-use crate::formula::{Condition, Relation};
+use super::value::evaluate;
+use super::{Gap, Unknown, unknown};
+use crate::formula::{Condition, Formula, Relation};
 use std::cmp::Ordering;
 
-/// Whether a condition holds.
+/// Whether a condition holds; of an integral's variable, on the piece of the scope's sample.
 pub(super) fn holds(condition: &Condition, scope: &Scope) -> Result<bool, Unknown> {
     scope.spend(1)?;
     match condition {
         Condition::Chain(first, links) => {
-            let mut left = value_in(first, scope);
-            let mut all = Ok(true);
-            for (relation, right) in links {
-                let right = value_in(right, scope);
-                all = both(all, link(&left, *relation, &right));
-                left = right;
-            }
-            all
+            all(pairs(first, links)
+                .map(|(left, relation, right)| link(left, relation, right, scope)))
         }
-        // No early end: a part that is false decides, even after one that is not known.
-        Condition::And(parts) => {
-            let mut all = Ok(true);
-            for part in parts {
-                all = both(all, holds(part, scope));
-            }
-            all
-        }
+        Condition::And(parts) => all(parts.iter().map(|part| holds(part, scope))),
         Condition::Or(parts) => {
-            let mut none = Ok(true);
-            for part in parts {
-                none = both(none, negation(holds(part, scope)));
-            }
-            negation(none)
+            let none = all(parts.iter().map(|part| Ok(!holds(part, scope)?)));
+            Ok(!none?)
         }
-        Condition::Not(part) => negation(holds(part, scope)),
+        Condition::Not(part) => Ok(!holds(part, scope)?),
     }
 }
 
-/// Both hold: one that is false decides, whatever the other.
-fn both(a: Result<bool, Unknown>, b: Result<bool, Unknown>) -> Result<bool, Unknown> {
-    match (a, b) {
-        (Ok(false), _) | (_, Ok(false)) => Ok(false),
-        (Ok(true), Ok(true)) => Ok(true),
-        (Err(why), _) | (_, Err(why)) => Err(why),
-    }
+/// The links of a chain, each with its own left side.
+pub(super) fn pairs<'a>(
+    first: &'a Formula,
+    links: &'a [(Relation, Formula)],
+) -> impl Iterator<Item = (&'a Formula, Relation, &'a Formula)> {
+    let lefts = std::iter::once(first).chain(links.iter().map(|(_, right)| right));
+    lefts
+        .zip(links)
+        .map(|(left, (relation, right))| (left, *relation, right))
 }
 
-fn negation(a: Result<bool, Unknown>) -> Result<bool, Unknown> {
-    a.map(|holds| !holds)
+/// Whether all hold: one that is false decides, even after one that is not known.
+fn all(parts: impl Iterator<Item = Result<bool, Unknown>>) -> Result<bool, Unknown> {
+    let mut answer = Ok(true);
+    for part in parts {
+        match part {
+            Ok(true) => {}
+            Ok(false) => return Ok(false),
+            Err(why) => answer = Err(why),
+        }
+    }
+    answer
 }
 
 fn link(
-    left: &Result<Value, Unknown>,
+    left: &Formula,
     relation: Relation,
-    right: &Result<Value, Unknown>,
+    right: &Formula,
+    scope: &Scope,
 ) -> Result<bool, Unknown> {
-    if matches!(left, Ok(Value::Undefined)) || matches!(right, Ok(Value::Undefined)) {
-        return Ok(false);
-    }
-    match (left, right) {
-        (Ok(left), Ok(right)) => relate(left, relation, right),
-        (Err(why), _) | (_, Err(why)) => Err(why.clone()),
+    match (evaluate(left, scope), evaluate(right, scope)) {
+        (Err(Gap::Undefined), _) | (_, Err(Gap::Undefined)) => Ok(false),
+        (Ok(left), Ok(right)) => relate(&left, relation, &right, scope),
+        (Err(Gap::Unknown(why)), _) | (_, Err(Gap::Unknown(why))) => Err(why),
     }
 }
 
 /// Whether a relation holds of two values that are there.
-pub(super) fn relate(left: &Value, relation: Relation, right: &Value) -> Result<bool, Unknown> {
-    if let Some(ordering) = left.compare(right) {
-        return relation_allows(relation, ordering);
+pub(super) fn relate(
+    left: &Quantity,
+    relation: Relation,
+    right: &Quantity,
+    scope: &Scope,
+) -> Result<bool, Unknown> {
+    if let (Quantity::Finite(a), Quantity::Finite(b)) = (left, right) {
+        let difference = at_sample(&a.plus(&b.negated())?.into(), scope)?;
+        return allowed(relation, &difference);
     }
-    // Enclosures that share an end only: the weak relation is settled all the same.
-    if let (Some(a), Some(b)) = (left.finite(), right.finite()) {
-        let less = a.high() <= b.low();
-        let greater = a.low() >= b.high();
-        match relation {
-            Relation::LessEqual if less => return Ok(true),
-            Relation::GreaterEqual if greater => return Ok(true),
-            Relation::Less if greater => return relation_allows(relation, Ordering::Greater),
-            Relation::Greater if less => return relation_allows(relation, Ordering::Less),
-            _ => {}
+    allows(relation, left.compare(right)?)
+}
+
+/// The number, or the value of a function of the variable at the sample.
+pub(super) fn at_sample(value: &Quantity, scope: &Scope) -> Result<Interval, Unknown> {
+    let function = value.clone().finite()?;
+    match (function.as_number(), &scope.sample) {
+        (Some(number), _) => Ok(number),
+        (None, Some(sample)) => function.at(sample),
+        (None, None) => unknown("a comparison of an integral's variable inside of another"),
+    }
+}
+
+/// Whether a relation holds of two numbers, given their difference: where all orders that it leaves
+/// open are alike.
+fn allowed(relation: Relation, difference: &Interval) -> Result<bool, Unknown> {
+    let (low, high) = (difference.low(), difference.high());
+    let zero = Interval::integer(0);
+    let mut open = Vec::new();
+    if low < zero.low() {
+        open.push(allows(relation, Ordering::Less)?);
+    }
+    if low <= zero.low() && zero.high() <= high {
+        open.push(allows(relation, Ordering::Equal)?);
+    }
+    if high > zero.high() {
+        open.push(allows(relation, Ordering::Greater)?);
+    }
+    open.dedup();
+    match open[..] {
+        [settled] => Ok(settled),
+        _ => unknown("a relation is not settled at these bits"),
+    }
+}
+
+/// Whether a relation holds of two numbers, given how they compare.
+pub(super) fn allows(relation: Relation, ordering: Ordering) -> Result<bool, Unknown> {
+    Ok(match relation {
+        Relation::Equal => ordering.is_eq(),
+        Relation::NotEqual => ordering.is_ne(),
+        Relation::Less => ordering.is_lt(),
+        Relation::LessEqual => ordering.is_le(),
+        Relation::Greater => ordering.is_gt(),
+        Relation::GreaterEqual => ordering.is_ge(),
+        Relation::Asymptotic | Relation::Approximate => {
+            return unknown("an asymptotic relation holds at no single point");
         }
-    }
-    unknown("a relation is not settled at these bits")
+    })
 }

@@ -8,24 +8,29 @@
 //! Numbers are rationals of num-rational. Exact values stay exact; enclosures are rounded outward
 //! to dyadic rationals. Every loop ends: each node and each big operation takes from a fixed store
 //! of fuel, and sizes are estimated before every power, factorial and binomial.
+//!
+//! To read it from below: [`interval`] and [`polynomial`], then [`fraction`] (functions of an
+//! integral's variable) and [`integrate`]; [`functions`] and [`hypergeometric`]; [`scope`] (what
+//! names mean); [`value`](mod@value), the one walk over formulas, with [`condition`],
+//! [`integrand`], [`law`] and [`calculus`]; [`witness`] last.
 
 mod calculus;
 mod condition;
+mod fraction;
 mod functions;
 mod hypergeometric;
 mod integrand;
 mod integrate;
 mod interval;
 mod law;
-mod limit;
 mod polynomial;
 pub mod proof;
+mod quantity;
 mod scope;
-mod sums;
 mod value;
 mod witness;
 
-pub use interval::Value;
+pub use quantity::Value;
 pub use value::value;
 pub use witness::{Because, Refutation, Witness, check_example, check_witness};
 
@@ -34,7 +39,33 @@ pub use witness::{Because, Refutation, Witness, check_example, check_witness};
 #[error("{0}")]
 pub struct Unknown(pub String);
 
+/// Why there is no number. A function that cannot prove `Undefined` returns [`Unknown`] instead, so
+/// that the compiler finds every place where one might be taken for the other.
+#[derive(Clone, Debug, PartialEq)]
+enum Gap {
+    /// Proved to have no value.
+    Undefined,
+    Unknown(Unknown),
+}
+
+/// A number, or why there is none: `?` makes a part without value leave none to the whole.
+type Found<T> = Result<T, Gap>;
+
+impl From<Unknown> for Gap {
+    fn from(why: Unknown) -> Gap {
+        Gap::Unknown(why)
+    }
+}
+
 /// Gives up, with the reason.
-fn unknown<T>(why: &str) -> Result<T, Unknown> {
-    Err(Unknown(why.to_string()))
+fn unknown<T, E: From<Unknown>>(why: &str) -> Result<T, E> {
+    Err(Unknown(why.to_string()).into())
+}
+
+/// What is found, where a missing value proves nothing.
+fn known<T>(found: Found<T>, why: &str) -> Result<T, Unknown> {
+    found.map_err(|gap| match gap {
+        Gap::Undefined => Unknown(why.to_string()),
+        Gap::Unknown(reason) => reason,
+    })
 }

@@ -1,20 +1,14 @@
 //! What the names of a formula mean while it is evaluated, and the fuel that bounds the work.
 
+use super::fraction::Fraction;
 use super::interval::Interval;
+use super::quantity::Quantity;
 use super::{Unknown, unknown};
-use crate::formula::{Draw, Formula, Name, Part, Point};
+use crate::formula::{Draw, Formula, Name, Part, Point, Rational};
 use std::cell::Cell;
 
 /// Steps for one value: far more than any claim needs at a small point.
 const FUEL: u64 = 20_000_000;
-
-/// What a bound name stands for.
-#[derive(Clone, Debug)]
-pub(super) enum Binding {
-    Number(Interval),
-    /// The variable of an integral around.
-    Variable,
-}
 
 /// The meaning of names: bound names first, then draws, then the parameters of the point.
 #[derive(Clone)]
@@ -22,7 +16,12 @@ pub(super) struct Scope<'a> {
     pub point: &'a Point,
     pub draws: &'a [Draw],
     pub bits: u64,
-    bound: Vec<(Name, Binding)>,
+    /// A number of the piece of an integral at which comparisons of its variable are decided.
+    pub sample: Option<Rational>,
+    /// The draw that a mean around integrates over.
+    drawn: Option<Name>,
+    /// What bound names stand for; `None` where that may not be asked.
+    bound: Vec<(Name, Option<Fraction>)>,
     fuel: &'a Cell<u64>,
 }
 
@@ -37,20 +36,57 @@ impl<'a> Scope<'a> {
             point,
             draws,
             bits,
+            sample: None,
+            drawn: None,
             bound: Vec::new(),
             fuel,
         }
     }
 
-    /// A scope without draws and bound names, at another point: for what may use neither.
-    pub fn closed<'b>(&'b self, point: &'b Point) -> Scope<'b> {
-        Scope::new(point, &[], self.bits, self.fuel)
+    /// A scope that knows one name, at a point without any other, and decides no comparison.
+    pub fn closed<'b>(&'b self, nothing: &'b Point, name: &Name, value: Fraction) -> Scope<'b> {
+        Scope::new(nothing, &[], self.bits, self.fuel).with(name, value)
     }
 
     /// This scope with one more name.
-    pub fn with(&self, name: &Name, binding: Binding) -> Scope<'a> {
+    pub fn with(&self, name: &Name, value: impl Into<Fraction>) -> Scope<'a> {
         let mut inner = self.clone();
-        inner.bound.push((name.clone(), binding));
+        inner.bound.push((name.clone(), Some(value.into())));
+        inner
+    }
+
+    /// This scope, where some names may not be used.
+    pub fn without(&self, names: &[&Name]) -> Scope<'a> {
+        let mut inner = self.clone();
+        inner
+            .bound
+            .extend(names.iter().map(|&name| (name.clone(), None)));
+        inner
+    }
+
+    /// This scope with the variable of an integral. What depends on the variable of an integral
+    /// around is hidden: a fraction has one variable.
+    pub fn with_variable(&self, name: &Name) -> Scope<'a> {
+        let mut inner = self.clone();
+        for (_, value) in &mut inner.bound {
+            *value = value.take().filter(|value| value.as_number().is_some());
+        }
+        (inner.sample, inner.drawn) = (None, None);
+        inner.with(name, Fraction::variable())
+    }
+
+    /// The same with a draw of the scope, which no name in it hides.
+    pub fn with_draw(&self, name: &Name) -> Scope<'a> {
+        let mut inner = self.with_variable(name);
+        inner.bound.pop();
+        inner.drawn = Some(name.clone());
+        inner
+    }
+
+    /// This scope on the piece of an integral that a number is from.
+    pub fn at(&self, sample: &Rational) -> Scope<'a> {
+        let mut inner = self.clone();
+        inner.sample = Some(sample.clone());
         inner
     }
 
@@ -69,76 +105,38 @@ impl<'a> Scope<'a> {
         self.bound.iter().any(|(bound, _)| bound == name)
     }
 
-    pub fn is_draw(&self, name: &Name) -> bool {
-        self.draws.iter().any(|draw| draw.name == *name)
+    pub fn draw(&self, name: &Name) -> Option<&'a Draw> {
+        self.draws.iter().find(|draw| draw.name == *name)
     }
 
-    /// The number that a name stands for.
-    pub fn number(&self, name: &Name) -> Result<Interval, Unknown> {
+    /// What a name stands for.
+    pub fn look_up(&self, name: &Name) -> Result<Quantity, Unknown> {
         match self.bound.iter().rev().find(|(bound, _)| bound == name) {
-            Some((_, Binding::Number(number))) => return Ok(number.clone()),
-            Some((_, Binding::Variable)) => {
-                return unknown("an integral's variable where a number is needed");
-            }
+            Some((_, Some(value))) => return Ok(value.clone().into()),
+            Some((_, None)) => return unknown("an integral of a function of two variables"),
             None => {}
         }
-        if self.is_draw(name) {
-            return unknown("a draw outside of a mean");
-        }
         match self.point.numbers.get(name) {
-            Some(number) => Ok(Interval::exact(number.clone())),
+            _ if self.drawn.as_ref() == Some(name) => Ok(Fraction::variable().into()),
+            _ if self.draw(name).is_some() => unknown("a draw outside of a mean"),
+            Some(number) => Ok(Interval::exact(number.clone()).into()),
             None => Err(Unknown(format!("no number is given for {name}"))),
         }
     }
 
-    /// Whether the value of a formula may depend on what the name stands for. A mean over the
-    /// scope's draws binds them, and reads their laws.
-    pub fn depends(&self, formula: &Formula, name: &Name) -> bool {
-        self.part_depends(Part::Formula(formula), name)
-    }
-
-    fn part_depends(&self, part: Part, name: &Name) -> bool {
-        if let Part::Formula(formula) = part {
-            match formula {
-                Formula::Name(other) => return other == name,
-                // A derivative is taken where its variable stands.
-                Formula::Derivative(_, x, _) | Formula::Antiderivative(_, x) if x == name => {
-                    return true;
-                }
-                Formula::Mean(_, None)
-                | Formula::Variance(_, None)
-                | Formula::Probability(_, None)
-                    if self.is_draw(name) =>
-                {
-                    return self.laws_depend(name);
-                }
-                Formula::Density(_, place) | Formula::Cumulative(_, place)
-                    if self.is_draw(name) =>
-                {
-                    return self.depends(place, name) || self.laws_depend(name);
-                }
-                Formula::Mean(_, None)
-                | Formula::Variance(_, None)
-                | Formula::Probability(_, None)
-                | Formula::Density(..)
-                | Formula::Cumulative(..)
-                    if self.laws_depend(name) =>
-                {
-                    return true;
-                }
-                _ => {}
-            }
+    /// Whether a name occurs free in a formula. A mean over the scope's draws binds them.
+    pub fn occurs(&self, name: &Name, part: Part) -> bool {
+        match part {
+            Part::Formula(Formula::Name(other)) => return other == name,
+            Part::Formula(
+                Formula::Mean(_, None) | Formula::Variance(_, None) | Formula::Probability(_, None),
+            ) if self.draw(name).is_some() => return false,
+            _ => {}
         }
         let mut found = false;
         part.each(&mut |inner, bound| {
-            found = found || (!bound.contains(&name) && self.part_depends(inner, name));
+            found = found || (!bound.contains(&name) && self.occurs(name, inner));
         });
         found
-    }
-
-    /// Whether the law of some draw of the scope depends on the name.
-    pub fn laws_depend(&self, name: &Name) -> bool {
-        let depends = |draw: &Draw| self.part_depends(Part::Law(&draw.law), name);
-        self.draws.iter().any(depends)
     }
 }

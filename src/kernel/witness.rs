@@ -4,21 +4,21 @@
 //! is enough: its parameters are of their types, all conditions of the domain are certainly true
 //! and all laws valid there, and one link fails.
 
-use super::condition::holds;
-use super::integrand::relation_allows;
-use super::interval::{Interval, Value};
-use super::law;
-use super::scope::{Binding, Scope, full_tank};
-use super::value::value_in;
-use super::{Unknown, calculus, unknown};
+use super::condition::{allows, holds, pairs, relate};
+use super::fraction::Fraction;
+use super::polynomial::Polynomial;
+use super::quantity::{Quantity, Value, as_value};
+use super::scope::{Scope, full_tank};
+use super::value::{evaluate, finite};
+use super::{Found, Gap, Unknown, known, law, unknown};
 use crate::formula::{
-    Duty, Formula, FunctionKind, Law, Name, ParameterKind, Part, Point, Proposition, RangeKind,
-    Ranged, Rational, Regime, Relation, Statement,
+    Condition, Duty, Formula, FunctionKind, Law, Name, Operator, Parameter, ParameterKind, Part,
+    Point, Proposition, RangeKind, Ranged, Rational, Regime, Relation, Statement,
 };
 use std::collections::BTreeSet;
 
 /// The bits tried one after the other.
-const LADDER: [u64; 7] = [64, 128, 256, 512, 1024, 2048, 4096];
+const LADDER: [u64; 3] = [64, 256, 1024];
 /// In how many parts a range is cut to find a place where a duty fails.
 const PLACES: i64 = 60;
 
@@ -70,19 +70,34 @@ impl Refutation {
     }
 }
 
+/// A relation that a statement claims at every point.
+struct Link {
+    left: Formula,
+    relation: Relation,
+    right: Formula,
+}
+
+impl Link {
+    fn new(left: Formula, relation: Relation, right: Formula) -> Link {
+        Link {
+            left,
+            relation,
+            right,
+        }
+    }
+
+    /// The values of the two sides.
+    fn sides(&self, scope: &Scope) -> [Found<Quantity>; 2] {
+        [evaluate(&self.left, scope), evaluate(&self.right, scope)]
+    }
+}
+
 /// One thing that a statement says.
 enum Item<'a> {
-    Link {
-        left: &'a Formula,
-        relation: Relation,
-        right: &'a Formula,
-        regime: Option<&'a Regime>,
-    },
-    Duty {
-        arguments: &'a [Name],
-        body: &'a Formula,
-        duty: &'a Duty,
-    },
+    Link(Link),
+    /// Not for a single point to decide.
+    Expansion,
+    Duty(&'a [Name], &'a Formula, &'a Duty),
 }
 
 /// Checks that a statement fails at a point.
@@ -92,330 +107,107 @@ enum Item<'a> {
 /// proved inside, a link that holds, an expansion (its constants are not a point's affair), two
 /// sides without value, or a value that the kernel cannot find.
 pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Refutation, Unknown> {
-    let mut items = Vec::new();
-    collect(&proposition.statement, &mut items);
-    let Some(item) = items.get(witness.link) else {
-        return unknown("the statement has no such link");
-    };
-    check_names(proposition, &witness.point)?;
-    let mut reason = unknown("no bits were tried");
-    for bits in LADDER {
-        let fuel = full_tank();
-        let scope = Scope::new(&witness.point, &proposition.draws, bits, &fuel);
-        let found = check_domain(proposition, &scope).and_then(|()| failure(item, &scope));
-        match found {
-            Ok(Some(refutation)) => return Ok(refutation),
-            Ok(None) => {
-                return unknown("the link is not seen to fail here, or neither side has a value");
-            }
-            Err(why) => reason = Err(why),
-        }
-    }
-    reason
+    let items = items(&proposition.statement);
+    let item = item(&items, witness.link)?;
+    at_the_point(proposition, &witness.point, |scope| match item {
+        Item::Link(link) => failure(link, scope),
+        Item::Duty(arguments, body, duty) => duty_failure(arguments, body, duty, scope),
+        Item::Expansion => unknown("the refutation of an expansion waits for constants"),
+    })?
+    .ok_or_else(|| Unknown("the link is not seen to fail here".into()))
 }
 
-/// Checks that a point of the domain gives values to both sides of each of the links, and none that
-/// contradict it.
+/// Checks that a statement says something at a point: it is certainly in the domain with all laws
+/// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
+/// which are not proved to contradict the link.
 ///
 /// # Errors
-/// [`Unknown`] with the reason where that is not so, or not known.
+/// [`Unknown`] with the reason where that is not proved.
 pub fn check_example(
     proposition: &Proposition,
     point: &Point,
     links: &[usize],
 ) -> Result<(), Unknown> {
-    let mut items = Vec::new();
-    collect(&proposition.statement, &mut items);
+    let items = items(&proposition.statement);
+    at_the_point(proposition, point, |scope| {
+        links
+            .iter()
+            .try_for_each(|&link| match item(&items, link)? {
+                Item::Link(link) => agreement(link, scope),
+                _ => unknown("a link that no single point has values for"),
+            })
+    })
+}
+
+fn item<'a, 'b>(items: &'b [Item<'a>], link: usize) -> Result<&'b Item<'a>, Unknown> {
+    match items.get(link) {
+        Some(item) => Ok(item),
+        None => unknown("the statement has no such link"),
+    }
+}
+
+/// What is found at a point of the domain, with as many bits as it needs.
+fn at_the_point<T>(
+    proposition: &Proposition,
+    point: &Point,
+    look: impl Fn(&Scope) -> Result<T, Unknown>,
+) -> Result<T, Unknown> {
     check_names(proposition, point)?;
-    let fuel = full_tank();
-    let scope = Scope::new(point, &proposition.draws, LADDER[1], &fuel);
-    check_domain(proposition, &scope)?;
-    for link in links {
-        let Some(Item::Link {
-            left,
-            relation,
-            right,
-            ..
-        }) = items.get(*link)
-        else {
-            return unknown("the statement has no such link");
-        };
-        let (left, right) = (value_in(left, &scope)?, value_in(right, &scope)?);
-        if left == Value::Undefined || right == Value::Undefined {
-            return unknown("a side has no value at the point");
-        }
-        if let Ok(Some(_)) = compare(left, *relation, right) {
-            return unknown("the link fails at the point");
+    let mut found = unknown("no bits were tried");
+    for bits in LADDER {
+        let fuel = full_tank();
+        let scope = Scope::new(point, &proposition.draws, bits, &fuel);
+        found = check_domain(proposition, &scope).and_then(|()| look(&scope));
+        if found.is_ok() {
+            break;
         }
     }
-    Ok(())
+    found
 }
 
 /// The links and duties of a statement, from left to right.
-fn collect<'a>(statement: &'a Statement, items: &mut Vec<Item<'a>>) {
+fn items(statement: &Statement) -> Vec<Item<'_>> {
     match statement {
         Statement::Chain {
             first,
             links,
             regime,
         } => {
-            let mut left = first;
-            for (relation, right) in links {
-                items.push(Item::Link {
-                    left,
-                    relation: *relation,
-                    right,
-                    regime: regime.as_ref(),
-                });
-                left = right;
-            }
+            let link = |(left, relation, right): (&Formula, Relation, &Formula)| match is_expansion(
+                left,
+                relation,
+                right,
+                regime.as_ref(),
+            ) {
+                true => Item::Expansion,
+                false => Item::Link(Link::new(left.clone(), relation, right.clone())),
+            };
+            pairs(first, links).map(link).collect()
         }
-        Statement::All(parts) => parts.iter().for_each(|part| collect(part, items)),
+        Statement::All(parts) => parts.iter().flat_map(items).collect(),
         Statement::Definition {
             arguments,
             body,
             duties,
             ..
-        } => items.extend(duties.iter().map(|duty| Item::Duty {
-            arguments,
-            body,
-            duty,
-        })),
-        Statement::Conditional { .. } | Statement::Words | Statement::Empty => {}
+        } => duties
+            .iter()
+            .map(|duty| Item::Duty(arguments, body, duty))
+            .collect(),
+        Statement::Conditional { .. } | Statement::Words | Statement::Empty => Vec::new(),
     }
 }
 
-/// The point gives exactly the parameters, integers where they are asked for, and no draw has the
-/// name of a parameter or of another draw.
-fn check_names(proposition: &Proposition, point: &Point) -> Result<(), Unknown> {
-    let mut names = BTreeSet::new();
-    let (mut numbers, mut functions) = (0, 0);
-    for parameter in &proposition.parameters {
-        let given = match parameter.kind {
-            ParameterKind::Function { .. } => {
-                functions += 1;
-                point.functions.contains_key(&parameter.name)
-            }
-            ParameterKind::Integer => {
-                numbers += 1;
-                point
-                    .numbers
-                    .get(&parameter.name)
-                    .is_some_and(Rational::is_integer)
-            }
-            ParameterKind::Real => {
-                numbers += 1;
-                point.numbers.contains_key(&parameter.name)
-            }
-        };
-        if !given || !names.insert(&parameter.name) {
-            return Err(Unknown(format!(
-                "{} is not given as its type asks",
-                parameter.name
-            )));
-        }
-    }
-    if point.numbers.len() != numbers || point.functions.len() != functions {
-        return unknown("the point gives a name that is no parameter");
-    }
-    match proposition
-        .draws
-        .iter()
-        .find(|draw| !names.insert(&draw.name))
-    {
-        Some(draw) => Err(Unknown(format!("{} is declared twice", draw.name))),
-        None => Ok(()),
-    }
-}
-
-/// The point is certainly in the domain, and all laws are laws there.
-fn check_domain(proposition: &Proposition, scope: &Scope) -> Result<(), Unknown> {
-    for condition in &proposition.domain {
-        if !holds(condition, scope)? {
-            return unknown("the point is not in the domain");
-        }
-    }
-    for parameter in &proposition.parameters {
-        if let ParameterKind::Function { kind, from, to, .. } = &parameter.kind {
-            check_function(&parameter.name, *kind, from, to, scope)?;
-        }
-    }
-    for draw in &proposition.draws {
-        if law::weight(&draw.law, scope)?.is_none() {
-            return unknown("a draw has no law at the point");
-        }
-    }
-    Ok(())
-}
-
-/// A function is a polynomial, hence continuous, smooth and integrable; a density is also
-/// nonnegative on its range with integral 1.
-fn check_function(
-    name: &Name,
-    kind: FunctionKind,
-    from: &Formula,
-    to: &Formula,
-    scope: &Scope,
-) -> Result<(), Unknown> {
-    calculus::polynomial_of(name, scope)?;
-    let (FunctionKind::Density, Some((argument, body))) = (kind, scope.point.functions.get(name))
-    else {
-        return Ok(());
-    };
-    let law = Law::Density {
-        argument: argument.clone(),
-        body: body.clone(),
-        from: from.clone(),
-        to: to.clone(),
-    };
-    match law::weight(&law, scope)? {
-        Some(_) => Ok(()),
-        None => unknown("a function that is no density"),
-    }
-}
-
-/// The refutation of a link or duty; `None` where it is proved to hold or neither side has a value.
-fn failure(item: &Item, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
-    match item {
-        Item::Link {
-            left,
-            relation,
-            right,
-            regime,
-        } => {
-            let expansion = matches!(relation, Relation::Asymptotic | Relation::Approximate)
-                || has_order_term(Part::Formula(left))
-                || has_order_term(Part::Formula(right))
-                || regime.is_some_and(|regime| !regime.along.is_empty());
-            if expansion {
-                return unknown("the refutation of an expansion waits for constants");
-            }
-            compare(value_in(left, scope)?, *relation, value_in(right, scope)?)
-        }
-        Item::Duty {
-            arguments: [argument],
-            body,
-            duty,
-        } => duty_failure(argument, body, duty, scope),
-        Item::Duty { .. } => unknown("a duty of a definition without exactly one argument"),
-    }
-}
-
-fn compare(left: Value, relation: Relation, right: Value) -> Result<Option<Refutation>, Unknown> {
-    let missing = |value: &Value| *value == Value::Undefined;
-    let because = match (missing(&left), missing(&right)) {
-        (true, true) => return Ok(None),
-        (true, false) | (false, true) => Because::Undefined,
-        (false, false) => {
-            let Some(ordering) = left.compare(&right) else {
-                return unknown("the enclosures of the two sides overlap");
-            };
-            if relation_allows(relation, ordering)? {
-                return Ok(None);
-            }
-            if ordering.is_eq() {
-                Because::Equal
-            } else {
-                Because::Disjoint
-            }
-        }
-    };
-    Ok(Some(Refutation {
-        left,
-        right,
-        because,
-    }))
-}
-
-fn duty_failure(
-    argument: &Name,
-    body: &Formula,
-    duty: &Duty,
-    scope: &Scope,
-) -> Result<Option<Refutation>, Unknown> {
-    let at = |place: &Interval| {
-        let inner = scope.with(argument, Binding::Number(place.clone()));
-        match value_in(body, &inner)? {
-            Value::Undefined => unknown("a definition without value at a place of its range"),
-            value => Ok(value),
-        }
-    };
-    match duty {
-        Duty::Density(from, to) => {
-            let negative_somewhere = places(from, to, scope)?.iter().find_map(|place| {
-                compare(at(place).ok()?, Relation::GreaterEqual, Value::exact(0)).ok()?
-            });
-            if let Some(found) = negative_somewhere {
-                return Ok(Some(because_of_duty(found)));
-            }
-            let total = value_in(&integral_of(body, argument, from, to), scope)?;
-            Ok(compare(total, Relation::Equal, Value::exact(1))?.map(because_of_duty))
-        }
-        Duty::Cumulative(from, to) => {
-            let places = places(from, to, scope)?;
-            let values: Vec<Value> = places.iter().map(at).collect::<Result<_, _>>()?;
-            cdf_failure(&values)
-        }
-        Duty::Agrees(_) => unknown("agreement with another claim is no point's affair"),
-    }
-}
-
-/// What shows that values at increasing places are not those of a cdf from end to end.
-fn cdf_failure(values: &[Value]) -> Result<Option<Refutation>, Unknown> {
-    for pair in values.windows(2) {
-        let found = compare(pair[0].clone(), Relation::LessEqual, pair[1].clone());
-        if let Ok(Some(found)) = found {
-            return Ok(Some(because_of_duty(found)));
-        }
-    }
-    for (value, wanted) in [(values.first(), 0), (values.last(), 1)] {
-        if let Some(value) = value
-            && let Some(found) = compare(value.clone(), Relation::Equal, Value::exact(wanted))?
-        {
-            return Ok(Some(because_of_duty(found)));
-        }
-    }
-    Ok(None)
-}
-
-fn integral_of(body: &Formula, name: &Name, from: &Formula, to: &Formula) -> Formula {
-    Formula::Ranged(Box::new(Ranged {
-        kind: RangeKind::Integral,
-        body: body.clone(),
-        name: name.clone(),
-        from: from.clone(),
-        to: to.clone(),
-    }))
-}
-
-fn because_of_duty(found: Refutation) -> Refutation {
-    Refutation {
-        because: Because::Duty,
-        ..found
-    }
-}
-
-/// Equally spaced places from one end to the other, both counted in.
-fn places(from: &Formula, to: &Formula, scope: &Scope) -> Result<Vec<Interval>, Unknown> {
-    let (from, to) = (
-        value_in(from, scope)?.finite(),
-        value_in(to, scope)?.finite(),
-    );
-    let (Some(from), Some(to)) = (from, to) else {
-        return unknown("a duty on a range without finite ends");
-    };
-    if from.compare(&to) != Some(std::cmp::Ordering::Less) {
-        return unknown("a duty on a range whose ends are not in order");
-    }
-    let width = to.minus(&from, scope.bits);
-    let place = |i: i64| {
-        let part = Interval::exact(Rational::new(i.into(), PLACES.into()));
-        match i {
-            PLACES => to.clone(),
-            _ => from.plus(&width.times(&part, scope.bits), scope.bits),
-        }
-    };
-    Ok((0..=PLACES).map(place).collect())
+fn is_expansion(
+    left: &Formula,
+    relation: Relation,
+    right: &Formula,
+    regime: Option<&Regime>,
+) -> bool {
+    matches!(relation, Relation::Asymptotic | Relation::Approximate)
+        || has_order_term(Part::Formula(left))
+        || has_order_term(Part::Formula(right))
+        || regime.is_some_and(|regime| !regime.along.is_empty())
 }
 
 /// Whether an O or o, or a condition in the place of a number, stands anywhere in the formula.
@@ -426,6 +218,175 @@ fn has_order_term(part: Part) -> bool {
     let mut found = false;
     part.each(&mut |inner, _| found = found || has_order_term(inner));
     found
+}
+
+/// The point gives exactly the parameters, integers where they are asked for, and no draw has the
+/// name of a parameter or of another draw.
+fn check_names(proposition: &Proposition, point: &Point) -> Result<(), Unknown> {
+    let given = |parameter: &Parameter| match parameter.kind {
+        ParameterKind::Function { .. } => point.functions.contains_key(&parameter.name),
+        ParameterKind::Real => point.numbers.contains_key(&parameter.name),
+        ParameterKind::Integer => {
+            let number = point.numbers.get(&parameter.name);
+            number.is_some_and(Rational::is_integer)
+        }
+    };
+    let parameters = &proposition.parameters;
+    if !parameters.iter().all(given)
+        || point.numbers.len() + point.functions.len() != parameters.len()
+    {
+        return unknown("the point does not give exactly the parameters, each of its type");
+    }
+    let draws = proposition.draws.iter().map(|draw| &draw.name);
+    let names: Vec<&Name> = parameters.iter().map(|p| &p.name).chain(draws).collect();
+    if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
+        return unknown("a name is declared twice");
+    }
+    Ok(())
+}
+
+/// The point is certainly in the domain, and all laws are laws there.
+fn check_domain(proposition: &Proposition, scope: &Scope) -> Result<(), Unknown> {
+    for condition in &proposition.domain {
+        if !holds(condition, scope)? {
+            return unknown("the point is not in the domain");
+        }
+    }
+    for parameter in &proposition.parameters {
+        check_function(parameter, scope)?;
+    }
+    for draw in &proposition.draws {
+        known(
+            law::weight(&draw.law, scope),
+            "a draw has no law at the point",
+        )?;
+    }
+    Ok(())
+}
+
+/// A function is a polynomial of its argument alone, hence continuous, smooth and integrable; a
+/// density is also nonnegative on its range with integral 1.
+fn check_function(parameter: &Parameter, scope: &Scope) -> Result<(), Unknown> {
+    let ParameterKind::Function { kind, from, to, .. } = &parameter.kind else {
+        return Ok(());
+    };
+    let Some((argument, body)) = scope.point.functions.get(&parameter.name) else {
+        return unknown("a function that is not given");
+    };
+    let nothing = Point::default();
+    let closed = scope.closed(&nothing, argument, Fraction::variable());
+    let function = known(finite(body, &closed), "a function without values")?;
+    if !function.as_polynomial().is_some_and(Polynomial::is_exact) {
+        return unknown("a function that is not given as a polynomial");
+    }
+    if *kind == FunctionKind::Density {
+        let law = Law::Density {
+            argument: argument.clone(),
+            body: body.clone(),
+            from: from.clone(),
+            to: to.clone(),
+        };
+        known(law::weight(&law, scope), "a function that is no density")?;
+    }
+    Ok(())
+}
+
+/// The refutation of a link; `None` where it is proved to hold or neither side has a value.
+fn failure(link: &Link, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
+    let sides = link.sides(scope);
+    let because = match &sides {
+        [Err(Gap::Unknown(why)), _] | [_, Err(Gap::Unknown(why))] => return Err(why.clone()),
+        [Err(Gap::Undefined), Err(Gap::Undefined)] => return Ok(None),
+        [Err(Gap::Undefined), _] | [_, Err(Gap::Undefined)] => Because::Undefined,
+        [Ok(left), Ok(right)] => {
+            let ordering = left.compare(right)?;
+            match allows(link.relation, ordering)? {
+                true => return Ok(None),
+                false if ordering.is_eq() => Because::Equal,
+                false => Because::Disjoint,
+            }
+        }
+    };
+    let [left, right] = sides.map(as_value);
+    Ok(Some(Refutation {
+        left: left?,
+        right: right?,
+        because,
+    }))
+}
+
+/// Both sides have a value, and the relation between them is not seen to fail.
+fn agreement(link: &Link, scope: &Scope) -> Result<(), Unknown> {
+    let missing = "a side without value";
+    let [left, right] = link.sides(scope).map(|side| known(side, missing));
+    match relate(&left?, link.relation, &right?, scope) {
+        Ok(false) => unknown("the two sides contradict the relation"),
+        _ => Ok(()),
+    }
+}
+
+/// The refutation of a duty: the failure of one of the relations that it means. A place without
+/// value is none, as a density may have poles.
+fn duty_failure(
+    arguments: &[Name],
+    body: &Formula,
+    duty: &Duty,
+    scope: &Scope,
+) -> Result<Option<Refutation>, Unknown> {
+    let [argument] = arguments else {
+        return unknown("a duty of a definition without exactly one argument");
+    };
+    let (from, to) = match duty {
+        Duty::Density(from, to) | Duty::Cumulative(from, to) => (from, to),
+        Duty::Agrees(_) => return unknown("agreement with another claim is no point's affair"),
+    };
+    let ordered = Condition::Chain(from.clone(), vec![(Relation::Less, to.clone())]);
+    if !holds(&ordered, scope)? {
+        return unknown("a duty on a range whose ends are not in order");
+    }
+    let mut reason = Ok(None);
+    for link in relations(argument, body, duty, from, to) {
+        match failure(&link, scope) {
+            Ok(Some(found)) if found.because != Because::Undefined => {
+                let because = Because::Duty;
+                return Ok(Some(Refutation { because, ..found }));
+            }
+            Ok(None) => {}
+            Ok(Some(_)) => reason = unknown("a definition without value on its range"),
+            Err(why) => reason = Err(why),
+        }
+    }
+    reason
+}
+
+/// What a duty means: a density is nowhere negative with integral 1; a cdf goes from 0 to 1 and
+/// never decreases.
+fn relations(name: &Name, body: &Formula, duty: &Duty, from: &Formula, to: &Formula) -> Vec<Link> {
+    let integer = Formula::integer;
+    let width = Formula::binary(Operator::Subtract, to.clone(), from.clone());
+    let at = |i: i64| {
+        let part = Formula::binary(Operator::Divide, integer(i), integer(PLACES));
+        let step = Formula::binary(Operator::Multiply, width.clone(), part);
+        let place = Formula::binary(Operator::Add, from.clone(), step);
+        Formula::At(Box::new(body.clone()), vec![(name.clone(), place)])
+    };
+    let mut links = Vec::new();
+    if let Duty::Density(..) = duty {
+        links.extend((0..=PLACES).map(|i| Link::new(at(i), Relation::GreaterEqual, integer(0))));
+        let total = Formula::Ranged(Box::new(Ranged {
+            kind: RangeKind::Integral,
+            body: body.clone(),
+            name: name.clone(),
+            from: from.clone(),
+            to: to.clone(),
+        }));
+        links.push(Link::new(total, Relation::Equal, integer(1)));
+    } else {
+        links.extend((0..PLACES).map(|i| Link::new(at(i), Relation::LessEqual, at(i + 1))));
+        links.push(Link::new(at(0), Relation::Equal, integer(0)));
+        links.push(Link::new(at(PLACES), Relation::Equal, integer(1)));
+    }
+    links
 }
 
 #[cfg(test)]
@@ -518,6 +479,31 @@ mod tests {
         assert!(check(hidden, &[("k", "2")], 0).is_err());
         let text = "given int k\ndomain k >= 1\nsays 1/k ~ 2/k as k -> inf";
         assert!(check(text, &[("k", "2")], 0).is_err());
+    }
+
+    #[test]
+    fn examples_have_two_values_that_agree() {
+        let example = |numbers: &[(&str, &str)], links: &[usize]| {
+            let proposition = parse_proposition(VARIANCE).expect(VARIANCE);
+            check_example(&proposition, &point(numbers), links).is_ok()
+        };
+        assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[0]));
+        assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[]));
+        for (k, n) in [("1", "2"), ("2", "2"), ("5", "4"), ("5/2", "4")] {
+            assert!(!example(&[("k", k), ("n", n), ("I", "1")], &[0]));
+        }
+        assert!(!example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[1]));
+        let text = "given real x\nsays ln(x) == ln(x) < 2 and int(1/t, t = 0..x) == inf";
+        let proposition = parse_proposition(text).expect(text);
+        for (x, links, holds) in [
+            ("3", vec![0, 1, 2], true),
+            ("9", vec![0, 2], true),
+            ("9", vec![0, 1], false),
+            ("0", vec![0], false),
+        ] {
+            let found = check_example(&proposition, &point(&[("x", x)]), &links);
+            assert_eq!(found.is_ok(), holds, "{x} {links:?}");
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod domain;
 mod expansion;
 mod failure;
 mod gamma;
+pub mod identity;
 mod integral;
 mod joint;
 mod moment;

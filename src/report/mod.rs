@@ -4,6 +4,8 @@
 //! terminal escapes; the stream that prints a report takes them out where no terminal reads it.
 
 pub mod diagnostic;
+pub mod proof;
+mod style;
 
 #[cfg(feature = "engine")]
 pub mod errata;

@@ -330,22 +330,30 @@ impl Proof<'_> {
     /// Whether what a block supposes holds here.
     pub(super) fn holds(&self, fact: &Fact) -> Known {
         match fact {
-            Fact::Less(a, b) => all!(self.finite(a), self.finite(b), self.positive(&minus(b, a))),
+            Fact::Less(a, b) => all!(self.finite(a), self.finite(b), self.positive(&above(a, b))),
             Fact::AtMost(a, b) => {
                 all!(
                     self.finite(a),
                     self.finite(b),
-                    self.nonnegative(&minus(b, a))
+                    self.nonnegative(&above(a, b))
                 )
             }
             Fact::Different(a, b) => {
-                all!(self.finite(a), self.finite(b), self.nonzero(&minus(b, a)))
+                all!(self.finite(a), self.finite(b), self.nonzero(&above(a, b)))
             }
             Fact::Same(a, b) => self.equal(a, b),
             Fact::Finite(a) => self.finite(a),
             Fact::Integer(a) => all!(self.finite(a), self.integer(a)),
             Fact::Undefined(a) => self.undefined(a),
         }
+    }
+}
+
+/// `b - a`, or just b where a is 0: what a relation between a and b says of its structure.
+pub(super) fn above(a: &Formula, b: &Formula) -> Formula {
+    match a {
+        Formula::Number(zero) if zero.is_zero() => b.clone(),
+        _ => minus(b, a),
     }
 }
 

@@ -26,7 +26,7 @@ pub use rule::Rule;
 
 use super::{Unknown, check_example};
 use crate::formula::{
-    Formula, Name, ParameterKind, Point, Proposition, Relation, Statement, is_reserved,
+    Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_reserved,
 };
 use normal::{Atoms, Fraction};
 use std::cell::{Cell, RefCell};
@@ -231,6 +231,10 @@ impl<'p> Proof<'p> {
     /// [`Rejected`] where a link is not that fact, or the point shows nothing.
     pub fn theorem(&self, links: &[(usize, Step)], example: &Point) -> Result<Theorem, Rejected> {
         require(self.open.is_empty(), "a block is still open")?;
+        require(
+            is_closed(self.proposition),
+            "the proposition names what it does not declare",
+        )?;
         require(!links.is_empty(), "no link is proved")?;
         let stated = links_of(&self.proposition.statement);
         for (at, (link, step)) in links.iter().enumerate() {
@@ -278,8 +282,15 @@ impl<'p> Proof<'p> {
         Ok(self.steps.len() - 1)
     }
 
-    /// Every free name of a fact is a parameter, a draw, or a variable of an open block.
+    /// Every free name of a fact is a parameter, a draw, or a variable of an open block, and no mean
+    /// over the proposition's draws stands under a binder, which might bind a name of their laws.
     fn check_names(&self, fact: &Fact) -> Result<(), Rejected> {
+        for side in fact.sides() {
+            require(
+                !hides_draws(Part::Formula(side), false),
+                "a mean over draws under a binder",
+            )?;
+        }
         match fact.names().iter().find(|name| !self.is_declared(name)) {
             Some(name) => Err(Rejected(format!("{name} is not declared here"))),
             None => Ok(()),
@@ -330,6 +341,47 @@ impl<'p> Proof<'p> {
             None => reject("too much work for one proof"),
         }
     }
+}
+
+/// Whether a mean, density or distribution of the proposition's draws stands under a binder.
+fn hides_draws(part: Part, bound: bool) -> bool {
+    use Formula::{Antiderivative, Cumulative, Density, Derivative, Mean, Probability, Variance};
+    if let Part::Formula(formula) = part {
+        let over_draws = matches!(
+            formula,
+            Mean(_, None) | Variance(_, None) | Probability(_, None) | Density(..) | Cumulative(..)
+        );
+        if bound && over_draws {
+            return true;
+        }
+    }
+    // These two bind without saying so.
+    let derives = matches!(part, Part::Formula(Derivative(..) | Antiderivative(..)));
+    let mut found = false;
+    part.each(&mut |inner, names| {
+        found = found || hides_draws(inner, bound || derives || !names.is_empty());
+    });
+    found
+}
+
+/// Whether the ranges of functions, the domain and the laws name nothing but parameters, and draws
+/// in a law.
+fn is_closed(proposition: &Proposition) -> bool {
+    let parameter = |name: &Name| proposition.parameters.iter().any(|p| p.name == *name);
+    let draw = |name: &Name| proposition.draws.iter().any(|draw| draw.name == *name);
+    let ranges = proposition.parameters.iter().flat_map(|p| match &p.kind {
+        ParameterKind::Function { from, to, .. } => vec![from, to],
+        _ => Vec::new(),
+    });
+    let domain = proposition.domain.iter().map(Part::Condition);
+    let mut closed = ranges.map(Part::Formula).chain(domain);
+    let mut laws = proposition.draws.iter().map(|draw| Part::Law(&draw.law));
+    closed.all(|part| part.free_names().iter().all(parameter))
+        && laws.all(|part| {
+            part.free_names()
+                .iter()
+                .all(|name| parameter(name) || draw(name))
+        })
 }
 
 /// The links of a statement from left to right; none where it is no statement about numbers at the

@@ -10,7 +10,11 @@ use num_traits::{One, ToPrimitive, Zero};
 use std::collections::{BTreeMap, HashMap};
 
 /// No power beyond this is expanded.
-const EXPONENT_CAP: i64 = 200;
+const EXPONENT_CAP: u64 = 200;
+/// No atom or factor of a denominator gets a higher exponent.
+const DEGREE_CAP: u32 = 10_000;
+/// No coefficient gets longer, in bits.
+const BITS_CAP: u64 = 100_000;
 /// No polynomial of more terms is made.
 const TERMS_CAP: usize = 20_000;
 /// Equations are not put into each other beyond this depth: they may run in a circle.
@@ -83,13 +87,16 @@ impl Polynomial {
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
                 let mut both = m.clone();
-                for (atom, exponent) in n {
-                    *both.entry(*atom).or_insert(0) += exponent;
-                }
+                raise(&mut both, n)?;
                 product.add_term(both, c * d);
             }
         }
         product.0.retain(|_, c| !c.is_zero());
+        let short = |c: &Rational| c.numer().bits().max(c.denom().bits()) <= BITS_CAP;
+        require(
+            product.0.values().all(short),
+            "a coefficient that is too large",
+        )?;
         Ok(product)
     }
 
@@ -100,6 +107,19 @@ impl Polynomial {
         }
         Ok(result)
     }
+}
+
+/// Adds exponents.
+fn raise<K: Ord + Clone>(
+    powers: &mut BTreeMap<K, u32>,
+    more: &BTreeMap<K, u32>,
+) -> Result<(), Rejected> {
+    for (factor, exponent) in more {
+        let sum = powers.entry(factor.clone()).or_insert(0);
+        *sum = sum.saturating_add(*exponent);
+        require(*sum <= DEGREE_CAP, "an exponent that is too large")?;
+    }
+    Ok(())
 }
 
 /// A quotient: the product of the factors below, each to its exponent, is the denominator.
@@ -175,9 +195,7 @@ impl Fraction {
 
     pub fn times(&self, other: &Fraction) -> Result<Fraction, Rejected> {
         let mut below = self.below.clone();
-        for (factor, exponent) in &other.below {
-            *below.entry(factor.clone()).or_insert(0) += exponent;
-        }
+        raise(&mut below, &other.below)?;
         let above = self.above.times(&other.above)?;
         Ok(Fraction { above, below })
     }
@@ -200,22 +218,18 @@ impl Fraction {
     }
 
     fn power(&self, exponent: i64) -> Result<Fraction, Rejected> {
-        require(exponent.abs() <= EXPONENT_CAP, "a power too high to expand")?;
+        let times = exponent.unsigned_abs();
+        require(times <= EXPONENT_CAP, "a power too high to expand")?;
         let base = if exponent < 0 {
             self.inverse()?
         } else {
             self.clone()
         };
-        let exponent = exponent.unsigned_abs() as u32;
-        let below = base
-            .below
-            .into_iter()
-            .map(|(factor, e)| (factor, e * exponent));
-        let below = below.filter(|(_, e)| *e > 0).collect();
-        Ok(Fraction {
-            above: base.above.power(exponent)?,
-            below,
-        })
+        let mut result = Fraction::constant(Rational::one());
+        for _ in 0..times {
+            result = result.times(&base)?;
+        }
+        Ok(result)
     }
 
     /// Whether the two are equal as rational functions of their atoms.

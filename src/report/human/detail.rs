@@ -1,11 +1,9 @@
 //! All that is known of one claim, as labelled lines.
 
 use super::tally;
-use super::{BAD, FAINT, STRONG, WRONG, paint, style};
-use crate::judge::{Answer, Extent, Report, WitnessReport};
+use super::{BAD, FAINT, STRONG, WIDTH, WRONG, paint, style};
+use crate::judge::{Answer, Extent, Report, Verdict, WitnessReport};
 
-/// Where text is broken.
-const WIDTH: usize = 100;
 /// Where text begins, after its label.
 const INDENT: usize = 12;
 
@@ -47,7 +45,12 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
     if super::Outcome::of(answer) == super::Outcome::ConditionMissing {
         verdict.push_str(&format!(" ({})", paint(WRONG, "a condition is missing")));
     }
-    if let Some(extent) = &answer.extent {
+    // A proof holds at every point, whatever was tried before.
+    if let Some(extent) = answer
+        .extent
+        .as_ref()
+        .filter(|_| answer.verdict != Verdict::Proved)
+    {
         verdict.push_str(&format!(" {}", extent_words(extent)));
     }
     text.push_str(&format!("  {label:<9} {verdict}\n"));
@@ -74,10 +77,14 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
             &format!("C = {}, k0 = {}", constants.factor, constants.k0),
         );
     }
+    if answer.verdict != Verdict::Proved && !answer.proved_links.is_empty() {
+        let links: Vec<String> = answer.proved_links.iter().map(usize::to_string).collect();
+        line(text, "proved", &format!("links {}", links.join(", ")));
+    }
     if !answer.facts.is_empty() {
         line(text, "rests on", &answer.facts.join(", "));
     }
-    optional(text, "proof", answer.certificate.as_deref());
+    optional(text, "saved", answer.certificate.as_deref());
 }
 
 fn extent_words(extent: &Extent) -> String {

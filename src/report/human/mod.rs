@@ -6,6 +6,7 @@ mod table;
 #[cfg(test)]
 pub(super) mod sample;
 
+use super::style::{FAINT, STRONG, WIDTH, paint};
 use super::tally::{self, Outcome};
 use crate::corpus::Run;
 use crate::judge::Verdict;
@@ -78,17 +79,11 @@ fn words(outcome: Outcome) -> &'static str {
     }
 }
 
-/// Terminal styles, as the numbers of ECMA-48's SGR.
+/// More terminal styles.
 const GOOD: &str = "32";
 const BAD: &str = "1;31";
 const WRONG: &str = "31";
 const OPEN: &str = "33";
-const FAINT: &str = "2";
-const STRONG: &str = "1";
-
-fn paint(style: &str, text: &str) -> String {
-    format!("\u{1b}[{style}m{text}\u{1b}[0m")
-}
 
 fn style(verdict: Verdict) -> &'static str {
     match verdict {
@@ -136,6 +131,7 @@ mod tests {
             reports: Vec::new(),
             seed: 1,
             digits: 50,
+            saved: crate::corpus::Saved::default(),
         };
         let text = anstream::adapter::strip_str(&render(&run, Rows::All)).to_string();
         assert_eq!(text, "0 claims\nall as expected (seed 1, 50 digits)\n");

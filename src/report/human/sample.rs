@@ -1,7 +1,7 @@
 //! A made-up run for the tests of all formats.
 
 use crate::book::Fault;
-use crate::corpus::Run;
+use crate::corpus::{Run, Saved};
 use crate::judge::{Answer, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
 
 pub(in crate::report) fn run() -> Run {
@@ -9,6 +9,7 @@ pub(in crate::report) fn run() -> Run {
         reports: vec![missing_condition(), unexpected(), open(), noted()],
         seed: 1,
         digits: 50,
+        saved: Saved::default(),
     }
 }
 
@@ -24,8 +25,10 @@ fn answer(verdict: Verdict, written: &str) -> Answer {
         links: Vec::new(),
         series: None,
         constants: None,
+        proved_links: Vec::new(),
         facts: Vec::new(),
         certificate: None,
+        evidence: None,
     }
 }
 
@@ -46,6 +49,7 @@ fn report(id: &str, line: usize, printed: Answer) -> Report {
         as_expected: true,
         steps: 1234,
         seconds: 0.01,
+        contradiction: None,
     }
 }
 

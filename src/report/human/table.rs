@@ -4,11 +4,9 @@
 //! mislead less than the wrong statements. `points`, `aside` and `digits` belong to the certified
 //! verdicts of the row, the print's and the mended one's.
 
-use super::{BAD, STRONG, paint, style};
+use super::{BAD, STRONG, WIDTH, paint, style};
 use crate::judge::{Answer, Extent, Report, Verdict};
 
-/// Columns of a terminal that a report may fill.
-const WIDTH: usize = 100;
 /// Longer ids push their own row out.
 const LONGEST_ID: usize = 24;
 

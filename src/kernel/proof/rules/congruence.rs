@@ -121,7 +121,7 @@ impl Walk<'_, '_, '_> {
             integer,
         };
         let proof = self.check.proof;
-        let width = super::super::known::minus(&r.to, &r.from);
+        let width = super::super::known::above(&r.from, &r.to);
         Ok(match r.kind {
             _ if hidden => None,
             RangeKind::Sum => Some(range(true, true)),

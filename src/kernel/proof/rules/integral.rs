@@ -1,7 +1,7 @@
 //! The rules of integrals and sums.
 
 use super::super::derivative::derive;
-use super::super::known::{minus, strictly_between};
+use super::super::known::{above, minus, strictly_between};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked, body_at, depends, put};
 use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
@@ -125,8 +125,8 @@ impl<'a> Check<'a, '_> {
         let (y, fact) = self.on_range(0, self.ends(r, true)?, false, false)?;
         states(fact, &Fact::Finite(body_at(s, y)?))?;
         self.ends(s, true)?;
-        self.is_nonnegative(&minus(&s.from, &r.from))?;
-        self.is_nonnegative(&minus(&r.to, &s.to))
+        self.is_nonnegative(&above(&r.from, &s.from))?;
+        self.is_nonnegative(&above(&s.to, &r.to))
     }
 
     pub(super) fn telescope(&self) -> Checked {
@@ -138,7 +138,7 @@ impl<'a> Check<'a, '_> {
         self.is_integer(&r.from)?;
         self.is_integer(&r.to)?;
         let next = plus_one(&r.to);
-        self.is_nonnegative(&minus(&next, &r.from))?;
+        self.is_nonnegative(&above(&r.from, &next))?;
         let (j, fact) = self.on_range(0, (&r.from, &r.to), true, true)?;
         let step = minus(
             &put(sums_to, j, &plus_one(&Formula::Name(j.clone())))?,
@@ -153,7 +153,7 @@ impl<'a> Check<'a, '_> {
 
     /// The ends of an integral, finite and in their order.
     fn ends(&self, r: &'a Ranged, strict: bool) -> Result<(&'a Formula, &'a Formula), Rejected> {
-        let width = minus(&r.to, &r.from);
+        let width = above(&r.from, &r.to);
         match strict {
             true => self.is_positive(&width)?,
             false => self.is_nonnegative(&width)?,

@@ -1,6 +1,6 @@
 //! The rules of means, densities and the functions that are defined by them.
 
-use super::super::known::minus;
+use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
 use super::integral::{is_continuous, states};
 use super::{Check, Checked, depends, put};
@@ -56,8 +56,8 @@ impl<'a> Check<'a, '_> {
                     return reject("the density of what is no draw");
                 };
                 let (density, from, to) = self.density_of(&draw.law, at)?;
-                self.is_nonnegative(&minus(at, &from))?;
-                self.is_nonnegative(&minus(&to, at))?;
+                self.is_nonnegative(&above(&from, at))?;
+                self.is_nonnegative(&above(at, &to))?;
                 self.concludes(&density)
             }
             _ => reject("the rule is for means and densities"),
@@ -86,7 +86,7 @@ impl<'a> Check<'a, '_> {
                 from,
                 to,
             } => {
-                self.is_positive(&minus(to, from))?;
+                self.is_positive(&above(from, to))?;
                 let (y, fact) = self.on_range(0, (from, to), false, false)?;
                 require(
                     y == argument || !depends(body, y),

@@ -1,6 +1,6 @@
 //! The rules of logic, order and rational arithmetic.
 
-use super::super::known::minus;
+use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
@@ -46,10 +46,10 @@ impl Check<'_, '_> {
         };
         self.is_finite(a)?;
         self.is_finite(b)?;
-        let difference = minus(b, a);
+        let difference = above(a, b);
         if let Fact::Same(..) = self.fact {
             self.is_nonnegative(&difference)?;
-            return self.is_nonnegative(&minus(a, b));
+            return self.is_nonnegative(&above(b, a));
         }
         let shown = self.arguments.first().unwrap_or(&difference);
         match self.fact {

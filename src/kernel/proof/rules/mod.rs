@@ -185,9 +185,6 @@ impl<'a> Check<'a, '_> {
             covered,
             "the premise supposes more than that its variable is in the range",
         )?;
-        let ends = [a, b].into_iter().flat_map(free_names);
-        let free = ends.into_iter().all(|name| name != variable.name);
-        require(free, "the variable of the premise is a name of the range")?;
         Ok((&variable.name, premise.fact))
     }
 }
@@ -201,7 +198,9 @@ fn fits(premise: &General, (a, b): (&Formula, &Formula), closed: bool, integer: 
     let x = Formula::Name(variable.name.clone());
     let beside =
         |low: &Formula, high: &Formula| (low == a && *high == x) || (*low == x && high == b);
-    (integer || !variable.integer)
+    // A name of the range is another variable than the premise's, though it be called the same.
+    let free = !depends(a, &variable.name) && !depends(b, &variable.name);
+    free && (integer || !variable.integer)
         && premise.hypotheses.iter().all(|fact| match fact {
             Fact::AtMost(low, high) => beside(low, high),
             Fact::Less(low, high) => !closed && beside(low, high),

@@ -1,6 +1,6 @@
 //! The rules of Gamma and its kin, of powers and of logarithms.
 
-use super::super::known::minus;
+use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked};
 use crate::formula::{Formula, Function, Operator};
@@ -116,6 +116,7 @@ impl<'a> Check<'a, '_> {
         let Formula::Binary(Power, base, p) = left else {
             return reject("the rule is for powers and square roots");
         };
+        self.is_finite(p)?;
         if let Formula::Number(_) = right {
             return self.trivial_power(base, p);
         }
@@ -181,7 +182,6 @@ impl<'a> Check<'a, '_> {
             self.is_positive(p)?;
             return self.concludes(&Formula::integer(0));
         }
-        self.is_finite(p)?;
         require(self.is_one(base)?, "a power of what is neither 0 nor 1")?;
         self.concludes(&Formula::integer(1))
     }
@@ -197,7 +197,7 @@ impl<'a> Check<'a, '_> {
         require(p == q, "the exponents are the same")?;
         self.is_positive(p)?;
         self.is_nonnegative(a)?;
-        let width = minus(b, a);
+        let width = above(a, b);
         match self.fact {
             Fact::Less(..) => self.is_positive(&width),
             _ => self.is_nonnegative(&width),

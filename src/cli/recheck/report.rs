@@ -1,27 +1,12 @@
-//! `claimcheck recheck`: replays the witnesses of a report with the kernel alone.
-//!
-//! The statement comes from the book, the point from the report, the verdict from the kernel; nothing
-//! of the engine that found the witness is used, so this command is in a build without it too.
+//! `recheck --report FILE`: the witnesses of a JSON report, replayed against the book.
 
-use super::library::open;
-use super::output::{Exit, Failure, to_stdout};
+use super::super::output::{Exit, Failure, to_stdout};
 use crate::book::{Book, Claim};
 use crate::formula::{Point, Proposition, Rational, Statement, parse_formula};
 use crate::kernel::{Witness, check_witness};
-use clap::Args;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
-
-/// Replays the witnesses of a report (check --format json) with the kernel alone
-#[derive(Debug, Args)]
-pub(super) struct Recheck {
-    /// The report
-    report: PathBuf,
-    /// Chapters, or folders of chapters [default: proofs]
-    #[arg(value_name = "PATH")]
-    paths: Vec<PathBuf>,
-}
+use std::path::Path;
 
 /// The parts of a report that are replayed.
 #[derive(Deserialize)]
@@ -56,40 +41,37 @@ enum Replay {
     Fails(String),
 }
 
-impl Recheck {
-    pub(super) fn run(self) -> Result<Exit, Failure> {
-        let document = read(&self.report)?;
-        let book = open(&self.paths)?;
-        let mut text = String::new();
-        let (mut hold, mut aside, mut fail) = (0, 0, 0);
-        for (id, part, replay) in replays(&document, &book) {
-            match replay {
-                Replay::Holds => hold += 1,
-                Replay::NotOfTheKernel => aside += 1,
-                Replay::Fails(reason) => {
-                    fail += 1;
-                    text.push_str(&format!("{id} ({part}): {reason}\n"));
-                }
+/// Replays every witness of the report and prints what came of it.
+pub(super) fn replay(report: &Path, book: &Book) -> Result<Exit, Failure> {
+    let document = read(report)?;
+    let mut text = String::new();
+    let (mut hold, mut aside, mut fail) = (0, 0, 0);
+    for (id, part, replay) in replays(&document, book) {
+        match replay {
+            Replay::Holds => hold += 1,
+            Replay::NotOfTheKernel => aside += 1,
+            Replay::Fails(reason) => {
+                fail += 1;
+                text.push_str(&format!("{id} ({part}): {reason}\n"));
             }
         }
-        text.push_str(&format!(
-            "{hold} witnesses replayed by the kernel, {fail} failed"
-        ));
-        if aside > 0 {
-            text.push_str(&format!(
-                "; {aside} expansions refuted by their terms were not replayed"
-            ));
-        }
-        to_stdout(&(text + "\n"))?;
-        Ok(if fail == 0 {
-            Exit::AsExpected
-        } else {
-            Exit::NotAsExpected
-        })
     }
+    text.push_str(&format!(
+        "{hold} witnesses replayed by the kernel, {fail} failed"
+    ));
+    if aside > 0 {
+        text.push_str(&format!(
+            "; {aside} expansions refuted by their terms were not replayed"
+        ));
+    }
+    to_stdout(&(text + "\n"))?;
+    Ok(match fail {
+        0 => Exit::AsExpected,
+        _ => Exit::NotAsExpected,
+    })
 }
 
-fn read(path: &PathBuf) -> Result<Document, Failure> {
+fn read(path: &Path) -> Result<Document, Failure> {
     let failure = |message: String| {
         let hint = "write one with: claimcheck check --format json";
         Failure::input(&format!("{}: {message}", path.display()), Some(hint))
@@ -111,12 +93,12 @@ fn replays<'a>(
         ];
         parts.into_iter().filter_map(move |(part, answer)| {
             let answer = answer.filter(|answer| answer.verdict == "refuted")?;
-            Some((entry.id.as_str(), part, replay(claim, part, answer)))
+            Some((entry.id.as_str(), part, replay_one(claim, part, answer)))
         })
     })
 }
 
-fn replay(claim: Option<&Claim>, part: &str, answer: &Answer) -> Replay {
+fn replay_one(claim: Option<&Claim>, part: &str, answer: &Answer) -> Replay {
     let Some(claim) = claim else {
         return Replay::Fails("the book has no such claim".into());
     };

@@ -1,0 +1,286 @@
+//! Functions of an integral's variable: a polynomial over linear factors with rational roots.
+//!
+//! A fraction speaks of a formula but for finitely many numbers, which no integral sees. A fraction
+//! without variable is a number.
+
+use super::functions::root;
+use super::interval::Interval;
+use super::polynomial::{DEGREE_CAP, Polynomial};
+use super::{Found, Gap, Unknown, unknown};
+use crate::formula::Rational;
+use num_traits::{Signed, Zero};
+use std::collections::BTreeMap;
+
+/// Roots with their multiplicities.
+type Roots = BTreeMap<Rational, u32>;
+
+/// `numerator` over the product of (x - root)^multiplicity. It is kept as it was written, common
+/// factors included: a root of multiplicity 0 marks where a part of the formula has a pole that
+/// another part cancels.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fraction {
+    pub numerator: Polynomial,
+    pub poles: Roots,
+}
+
+impl From<Polynomial> for Fraction {
+    fn from(numerator: Polynomial) -> Fraction {
+        Fraction {
+            numerator,
+            poles: Roots::new(),
+        }
+    }
+}
+
+impl From<Interval> for Fraction {
+    fn from(number: Interval) -> Fraction {
+        Polynomial::constant(number).into()
+    }
+}
+
+impl Fraction {
+    /// The variable itself.
+    pub fn variable() -> Fraction {
+        Polynomial::linear(&Rational::zero()).into()
+    }
+
+    /// The number that this is, if nothing in it varies.
+    pub fn as_number(&self) -> Option<Interval> {
+        match self.as_polynomial()?.coefficients() {
+            [] => Some(Interval::integer(0)),
+            [number] => Some(number.clone()),
+            _ => None,
+        }
+    }
+
+    /// The numerator, if no part has a pole.
+    pub fn as_polynomial(&self) -> Option<&Polynomial> {
+        self.poles.is_empty().then_some(&self.numerator)
+    }
+
+    pub fn negated(&self) -> Fraction {
+        Fraction {
+            numerator: self.numerator.scaled(&Interval::integer(-1)),
+            poles: self.poles.clone(),
+        }
+    }
+
+    pub fn times(&self, other: &Fraction) -> Result<Fraction, Unknown> {
+        let mut poles = self.poles.clone();
+        for (root, multiplicity) in &other.poles {
+            *poles.entry(root.clone()).or_insert(0) += multiplicity;
+        }
+        let numerator = self.numerator.times(&other.numerator)?;
+        Ok(Fraction { numerator, poles })
+    }
+
+    /// The sum over the least common denominator.
+    pub fn plus(&self, other: &Fraction) -> Result<Fraction, Unknown> {
+        let mut poles = self.poles.clone();
+        for (root, &multiplicity) in &other.poles {
+            let entry = poles.entry(root.clone()).or_insert(0);
+            *entry = multiplicity.max(*entry);
+        }
+        let numerator = &self.raised(&poles)? + &other.raised(&poles)?;
+        Ok(Fraction { numerator, poles })
+    }
+
+    /// The numerator over the larger denominator.
+    fn raised(&self, poles: &Roots) -> Result<Polynomial, Unknown> {
+        let mut numerator = self.numerator.clone();
+        for (root, multiplicity) in poles {
+            let own = self.poles.get(root).unwrap_or(&0);
+            numerator = numerator.times(&Polynomial::linear(root).power(multiplicity - own)?)?;
+        }
+        Ok(numerator)
+    }
+
+    pub fn power(&self, exponent: u32) -> Result<Fraction, Unknown> {
+        let mut poles = self.poles.clone();
+        for multiplicity in poles.values_mut() {
+            *multiplicity = multiplicity.saturating_mul(exponent);
+            if *multiplicity as usize > DEGREE_CAP {
+                return unknown("a pole of too high an order");
+            }
+        }
+        let numerator = self.numerator.power(exponent)?;
+        Ok(Fraction { numerator, poles })
+    }
+
+    /// 1 over this; the zero fraction has no reciprocal anywhere.
+    pub fn reciprocal(&self) -> Found<Fraction> {
+        if self.numerator.is_zero() {
+            return Err(Gap::Undefined);
+        }
+        let (constant, mut poles) = linear_factors(&self.numerator)?;
+        let mut numerator = Polynomial::constant(constant.reciprocal()?);
+        for (root, multiplicity) in &self.poles {
+            numerator = numerator.times(&Polynomial::linear(root).power(*multiplicity)?)?;
+            poles.entry(root.clone()).or_insert(0);
+        }
+        Ok(Fraction { numerator, poles })
+    }
+
+    /// The value at a number that is no pole.
+    pub fn at(&self, x: &Rational) -> Result<Interval, Unknown> {
+        let mut value = self.numerator.at(&Interval::exact(x.clone()));
+        for (root, multiplicity) in &self.poles {
+            let distance = Interval::exact(x - root).reciprocal()?;
+            value = &value * &distance.power(*multiplicity);
+        }
+        Ok(value)
+    }
+
+    /// The same function in lowest terms: common linear factors divided out.
+    ///
+    /// # Errors
+    /// A numerator that may or may not vanish at a pole.
+    pub fn reduced(&self) -> Result<Fraction, Unknown> {
+        let mut numerator = self.numerator.clone();
+        let mut poles = Roots::new();
+        for (root, multiplicity) in &self.poles {
+            let mut left = *multiplicity;
+            while left > 0 {
+                let (quotient, rest) = numerator.divide(root);
+                if rest.sign()?.is_ne() {
+                    poles.insert(root.clone(), left);
+                    break;
+                }
+                numerator = quotient;
+                left -= 1;
+            }
+        }
+        Ok(Fraction { numerator, poles })
+    }
+
+    /// f(1/t)/t^2: the substitution x = 1/t takes an integral over c..inf to one over 0..1/c.
+    pub fn inverted(&self) -> Result<Fraction, Unknown> {
+        // x^n = t^n/t^(2n), and 1/t - r = -r*(t - 1/r)/t for r other than 0.
+        let mut coefficients = self.numerator.coefficients().to_vec();
+        coefficients.reverse();
+        let mut result = Fraction::from(Polynomial::new(coefficients));
+        let above: u32 = self.poles.values().sum();
+        for (root, &multiplicity) in self.poles.iter().filter(|(root, _)| !root.is_zero()) {
+            let scale = Interval::exact(-root).reciprocal()?.power(multiplicity);
+            result.numerator = result.numerator.scaled(&scale);
+            result.poles.insert(root.recip(), multiplicity);
+        }
+        let zero = Polynomial::linear(&Rational::zero());
+        result.numerator = result.numerator.times(&zero.power(above)?)?;
+        let below = self.numerator.length() as u32 + 1;
+        result.poles.insert(Rational::zero(), below);
+        Ok(result)
+    }
+
+    /// The rational numbers at which the function may change its sign, or the one enclosed root of
+    /// a linear numerator.
+    pub fn sign_changes(&self) -> Result<Vec<Interval>, Unknown> {
+        let mut found: Vec<Interval> = self.poles.keys().cloned().map(Interval::exact).collect();
+        match self.numerator.coefficients() {
+            [] => {}
+            [constant, slope] => found.push(&-constant * &slope.reciprocal()?),
+            _ => found.extend(
+                linear_factors(&self.numerator)?
+                    .1
+                    .into_keys()
+                    .map(Interval::exact),
+            ),
+        }
+        Ok(found)
+    }
+}
+
+impl Polynomial {
+    /// The function that takes the value `self(inner(x))`, by Horner's rule.
+    pub fn of(&self, inner: &Fraction) -> Result<Fraction, Unknown> {
+        let mut sum = Fraction::from(Interval::integer(0));
+        for c in self.coefficients().iter().rev() {
+            sum = sum.times(inner)?.plus(&c.clone().into())?;
+        }
+        Ok(sum)
+    }
+}
+
+/// The leading coefficient and the rational roots of a nonzero polynomial that is x^j times the
+/// power of a linear factor, or times a quadratic with rational roots. The product is compared with
+/// the polynomial, so that a wrong guess is found out.
+fn linear_factors(polynomial: &Polynomial) -> Result<(Interval, Roots), Unknown> {
+    let all = polynomial.coefficients();
+    let low = all.iter().take_while(|c| c.is_zero()).count();
+    let mut roots = Roots::new();
+    if low > 0 {
+        roots.insert(Rational::zero(), low as u32);
+    }
+    if let [constant] = &all[low..] {
+        return Ok((constant.clone(), roots));
+    }
+    let exact = all[low..].iter().map(|c| c.as_exact().cloned());
+    let Some(exact) = exact.collect::<Option<Vec<Rational>>>() else {
+        return unknown("a divisor with coefficients that are not rational");
+    };
+    roots.extend(guessed_roots(&exact));
+    let leading = all[all.len() - 1].clone();
+    let mut product = Polynomial::constant(leading.clone());
+    for (root, multiplicity) in &roots {
+        product = product.times(&Polynomial::linear(root).power(*multiplicity)?)?;
+    }
+    if product != *polynomial {
+        return unknown("a divisor that does not split into rational linear factors");
+    }
+    Ok((leading, roots))
+}
+
+/// The roots of c*(x - r)^n from its two highest coefficients, or those of a quadratic.
+fn guessed_roots(exact: &[Rational]) -> Vec<(Rational, u32)> {
+    let degree = exact.len() - 1;
+    let leading = &exact[degree];
+    let center = -&exact[degree - 1] / (leading * Rational::from_integer(degree.into()));
+    if degree == 2 {
+        // Half the distance of the roots, squared: center^2 - product of the roots.
+        let square = &center * &center - &exact[0] / leading;
+        if square.is_positive()
+            && let Ok(half) = root(&square, 2, 8)
+            && let Some(half) = half.as_exact()
+        {
+            return vec![(&center - half, 1), (&center + half, 1)];
+        }
+    }
+    vec![(center, degree as u32)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ratio(a: i64, b: i64) -> Rational {
+        Rational::new(a.into(), b.into())
+    }
+
+    fn polynomial(coefficients: &[i64]) -> Polynomial {
+        Polynomial::new(coefficients.iter().map(|&c| Interval::integer(c)).collect())
+    }
+
+    #[test]
+    fn reduction_finds_cancelled_poles() {
+        let x = Fraction::variable();
+        let one = x.times(&x.reciprocal().unwrap()).unwrap();
+        assert_eq!(one.poles.len(), 1);
+        let reduced = one.reduced().unwrap();
+        assert_eq!(reduced, Fraction::from(Interval::integer(1)));
+    }
+
+    #[test]
+    fn divisors_split_or_are_refused() {
+        let quadratic = Fraction::from(polynomial(&[0, 6, -5, 1]));
+        let inverse = quadratic.reciprocal().unwrap();
+        assert_eq!(
+            inverse.poles.into_iter().collect::<Vec<_>>(),
+            vec![(ratio(0, 1), 1), (ratio(2, 1), 1), (ratio(3, 1), 1)]
+        );
+        assert!(Fraction::from(polynomial(&[1, 0, 1])).reciprocal().is_err());
+        assert_eq!(
+            Fraction::from(polynomial(&[])).reciprocal(),
+            Err(Gap::Undefined)
+        );
+    }
+}

@@ -1,0 +1,300 @@
+//! A proof under way with the record of its steps.
+//!
+//! A step that the kernel refuses is no error here: the tactic that tried it gives up, and
+//! [`Builder::attempt`] puts everything back as it was.
+
+use super::field::Field;
+use super::form::{integer, plus};
+use super::prune::prune;
+use crate::algebra::RationalFunction;
+use crate::formula::{Condition, Formula, Name, Point, Proposition, Rational, is_reserved};
+use crate::kernel::proof::{Fact, Line, Proof, Rule, Script, Step, Variable};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A relation in sight, `b - a` being positive, nonnegative, or only known to be other than 0.
+#[derive(Clone, Debug)]
+pub(super) struct Relation {
+    pub fact: Fact,
+    pub difference: RationalFunction,
+    /// What the rules of order made of others adds nothing to the search for order.
+    pub derived: bool,
+}
+
+/// A block that is open, the root first.
+#[derive(Clone, Debug, Default)]
+struct Frame {
+    facts: HashMap<Fact, Step>,
+    relations: Vec<Relation>,
+    equations: Vec<Step>,
+    variables: Vec<Variable>,
+}
+
+/// A proof and its lines.
+#[derive(Clone)]
+pub(crate) struct Builder<'p> {
+    proposition: &'p Proposition,
+    proof: Proof<'p>,
+    lines: Vec<Line>,
+    /// For each step, those that it rests on.
+    uses: Vec<Vec<Step>>,
+    frames: Vec<Frame>,
+    pub(super) field: Rc<RefCell<Field>>,
+    refusal: String,
+}
+
+impl<'p> Builder<'p> {
+    /// A proof that states what the domain says, as far as it is between finite numbers.
+    pub fn new(proposition: &'p Proposition) -> Builder<'p> {
+        let mut builder = Builder {
+            proposition,
+            proof: Proof::new(proposition),
+            lines: Vec::new(),
+            uses: Vec::new(),
+            frames: vec![Frame::default()],
+            field: Rc::new(RefCell::new(Field::new())),
+            refusal: String::new(),
+        };
+        for condition in &proposition.domain {
+            builder.give(condition);
+        }
+        builder
+    }
+
+    fn give(&mut self, condition: &Condition) {
+        match condition {
+            Condition::Chain(first, links) => {
+                let mut left = first;
+                for (relation, right) in links {
+                    if let Some(fact) = Fact::of_relation(left, *relation, right) {
+                        self.give_fact(fact);
+                    }
+                    left = right;
+                }
+            }
+            Condition::And(parts) => parts.iter().for_each(|part| self.give(part)),
+            Condition::Or(_) | Condition::Not(_) => {}
+        }
+    }
+
+    fn give_fact(&mut self, fact: Fact) {
+        let sides: Vec<Formula> = fact.sides().into_iter().cloned().collect();
+        if sides.iter().all(|side| self.finite(side).is_some()) {
+            self.step(fact, Rule::Given, &[], &[]);
+        }
+    }
+
+    /// The proposition that is to be proved.
+    pub fn proposition(&self) -> &'p Proposition {
+        self.proposition
+    }
+
+    /// Why the kernel refused a step last.
+    pub fn refusal(&self) -> &str {
+        &self.refusal
+    }
+
+    /// Adds a step; one that is in sight already is not made twice.
+    pub fn step(
+        &mut self,
+        fact: Fact,
+        rule: Rule,
+        premises: &[Step],
+        arguments: &[Formula],
+    ) -> Option<Step> {
+        if let Some(step) = self.seen(&fact) {
+            return Some(step);
+        }
+        match self.proof.step(fact.clone(), rule, premises, arguments) {
+            Ok(step) => {
+                let mut uses = self.proof.seen();
+                uses.extend_from_slice(premises);
+                self.uses.push(uses);
+                self.lines.push(Line::Step {
+                    fact: fact.clone(),
+                    rule,
+                    premises: premises.to_vec(),
+                    arguments: arguments.to_vec(),
+                });
+                self.note(fact, step, matches!(rule, Rule::Order));
+                Some(step)
+            }
+            Err(error) => {
+                self.refusal = format!("{fact} | {}: {error}", rule.name());
+                None
+            }
+        }
+    }
+
+    /// The step in sight that states the fact.
+    pub fn seen(&self, fact: &Fact) -> Option<Step> {
+        self.frames
+            .iter()
+            .find_map(|frame| frame.facts.get(fact).copied())
+    }
+
+    /// Keeps what the search looks at. Of a strict relation between integers it keeps the wide one.
+    fn note(&mut self, fact: Fact, step: Step, derived: bool) {
+        let relation = match &fact {
+            Fact::Less(a, b) | Fact::AtMost(a, b) | Fact::Different(a, b) => {
+                self.field.borrow_mut().difference(a, b)
+            }
+            _ => None,
+        };
+        let Some(frame) = self.frames.last_mut() else {
+            return;
+        };
+        if let Fact::Same(..) = fact {
+            frame.equations.push(step);
+        }
+        frame.facts.entry(fact.clone()).or_insert(step);
+        if let Some(difference) = relation {
+            frame.relations.push(Relation {
+                fact: fact.clone(),
+                difference,
+                derived,
+            });
+        }
+        if let (Fact::Less(a, b), false) = (fact, derived) {
+            self.round(a, b);
+        }
+    }
+
+    /// `a + 1 <= b` from `a < b` for integers.
+    fn round(&mut self, a: Formula, b: Formula) {
+        if self.is_integer(&a) && self.is_integer(&b) {
+            let next = match &a {
+                Formula::Number(value) => Formula::Number(value + Rational::from_integer(1.into())),
+                _ => plus(a, integer(1)),
+            };
+            self.step(Fact::AtMost(next, b), Rule::Gap, &[], &[]);
+        }
+    }
+
+    /// The relations in sight.
+    pub(super) fn relations(&self) -> impl Iterator<Item = &Relation> {
+        self.frames.iter().flat_map(|frame| &frame.relations)
+    }
+
+    /// The equations in sight.
+    pub fn equations(&self) -> Vec<Step> {
+        let frames = self.frames.iter();
+        frames.flat_map(|frame| frame.equations.clone()).collect()
+    }
+
+    /// The fact of a step.
+    ///
+    /// A step that is none gives `undefined inf`, which no rule concludes.
+    pub fn fact(&self, step: Step) -> &Fact {
+        static NONE: Fact = Fact::Undefined(Formula::Infinity);
+        self.proof.fact(step).unwrap_or(&NONE)
+    }
+
+    /// Runs `inside` in a block that fixes the variables and supposes the hypotheses, which are the
+    /// steps that it is given. Where it finds nothing, the block was never there.
+    pub fn block<T>(
+        &mut self,
+        variables: Vec<Variable>,
+        hypotheses: Vec<Fact>,
+        inside: impl FnOnce(&mut Self, &[Step]) -> Option<T>,
+    ) -> Option<T> {
+        self.attempt(|builder| {
+            let first = builder.uses.len();
+            if let Err(error) = builder.proof.open(variables.clone(), hypotheses.clone()) {
+                builder.refusal = format!("block: {error}");
+                return None;
+            }
+            let steps: Vec<Step> = (first..first + hypotheses.len()).collect();
+            builder.uses.extend(steps.iter().map(|_| Vec::new()));
+            builder.frames.push(Frame {
+                variables: variables.clone(),
+                ..Frame::default()
+            });
+            builder.lines.push(Line::Open {
+                variables,
+                hypotheses: hypotheses.clone(),
+            });
+            for (fact, step) in hypotheses.into_iter().zip(&steps) {
+                builder.note(fact, *step, false);
+            }
+            let found = inside(builder, &steps)?;
+            builder.proof.close().ok()?;
+            builder.frames.pop();
+            builder.lines.push(Line::Close);
+            Some(found)
+        })
+    }
+
+    /// Runs `f`; where it finds nothing, all is as it was.
+    pub fn attempt<T>(&mut self, f: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let before = self.clone();
+        let found = f(self);
+        if found.is_none() {
+            let refusal = std::mem::take(&mut self.refusal);
+            *self = before;
+            self.refusal = refusal;
+        }
+        found
+    }
+
+    /// Proves a fact where P holds and where it does not. `inside` is given the step that supposes
+    /// the one or the other, and must state the fact.
+    pub fn cases(
+        &mut self,
+        fact: &Fact,
+        condition: &Fact,
+        mut inside: impl FnMut(&mut Self, Step) -> Option<Step>,
+    ) -> Option<Step> {
+        let opposite = condition.negation()?;
+        self.attempt(|builder| {
+            for side in condition.sides() {
+                builder.finite(side)?;
+            }
+            let mut ends = Vec::new();
+            for case in [condition.clone(), opposite] {
+                let end = builder.block(Vec::new(), vec![case], |b, steps| inside(b, steps[0]))?;
+                ends.push(end);
+            }
+            builder.step(fact.clone(), Rule::Cases, &ends, &[])
+        })
+    }
+
+    /// A name like this one that no parameter, draw or open block has.
+    pub fn fresh(&self, base: &str) -> Name {
+        let mut name: Name = base.into();
+        let mut count = 1;
+        while self.is_taken(&name) {
+            name = format!("{base}{count}").into();
+            count += 1;
+        }
+        name
+    }
+
+    fn is_taken(&self, name: &Name) -> bool {
+        is_reserved(name)
+            || self.proposition.parameters.iter().any(|p| p.name == *name)
+            || self.proposition.draws.iter().any(|d| d.name == *name)
+            || self.variable(name).is_some()
+    }
+
+    /// Ends the proof: the certificate without the steps that nothing needs, once it replays.
+    pub fn script(self, links: Vec<(usize, Step)>, example: Point) -> Option<Script> {
+        let whole = Script {
+            proposition: self.proposition.clone(),
+            example,
+            lines: self.lines,
+            links,
+        };
+        let pruned = prune(&whole, &self.uses);
+        [pruned, whole]
+            .into_iter()
+            .find(|script| script.check().is_ok())
+    }
+
+    /// Whether the variable of an open block stands for integers.
+    pub(super) fn variable(&self, name: &Name) -> Option<bool> {
+        let mut variables = self.frames.iter().flat_map(|frame| &frame.variables);
+        variables.find(|v| v.name == *name).map(|v| v.integer)
+    }
+}

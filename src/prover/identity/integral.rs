@@ -1,0 +1,108 @@
+//! The value of an integral: its body is simplified, then each tactic is tried in turn.
+
+use super::Builder;
+use super::evaluate::{Context, Value, evaluate, has_quantity, then};
+use super::integrand::Product;
+use super::make::{depends, integral, is_one, is_zero};
+use super::range::{rewritten, whole};
+use super::{primitive, substitution, weight};
+use crate::formula::{Formula, Ranged, substitute};
+use crate::kernel::proof::Step;
+
+pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let tactics = [put_known, evaluate_body, tidy_ends, by_shape];
+    tactics.into_iter().find_map(|tactic| {
+        b.attempt(|b| {
+            let next = tactic(b, cx, r)?;
+            match &next.0 {
+                Formula::Ranged(_) => then(b, cx, &whole(r), next),
+                _ => Some(next),
+            }
+        })
+    })
+}
+
+/// Puts the numbers that the case under way gives names.
+fn put_known(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let e = whole(r);
+    let known: Vec<_> = cx.known.iter().filter(|(name, ..)| depends(&e, name)).cloned().collect();
+    if known.is_empty() {
+        return None;
+    }
+    let values: Vec<_> = known.iter().map(|(name, t, _)| (name.clone(), t.clone())).collect();
+    let steps: Vec<Step> = known.iter().map(|(_, _, step)| *step).collect();
+    let next = substitute(&e, &values).ok()?;
+    let step = b.congruent(&e, &next, &steps)?;
+    Some((next, step))
+}
+
+/// Evaluates the quantities inside the body.
+fn evaluate_body(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    if !has_quantity(&r.body) {
+        return None;
+    }
+    let found = rewritten(b, r, |b, _, body| evaluate(b, cx, body))?;
+    match &found.0 {
+        Formula::Ranged(next) if !has_quantity(&next.body) => Some(found),
+        _ => None,
+    }
+}
+
+/// Ends that are numbers by arithmetic are written as such.
+fn tidy_ends(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let mut steps = Vec::new();
+    let mut tidied = |b: &mut Builder, end: &Formula| -> Option<Formula> {
+        let found = number_of(cx, end);
+        match found {
+            Some(found) if found != *end => {
+                steps.push(b.equal(end, &found)?);
+                Some(found)
+            }
+            _ => Some(end.clone()),
+        }
+    };
+    let (from, to) = (tidied(b, &r.from)?, tidied(b, &r.to)?);
+    if steps.is_empty() {
+        return None;
+    }
+    let next = integral(r.body.clone(), &r.name, from, to);
+    let step = b.congruent(&whole(r), &next, &steps)?;
+    Some((next, step))
+}
+
+/// The number that a formula without names is by simple arithmetic; roots of 0 and 1 too.
+fn number_of(cx: &mut Context, e: &Formula) -> Option<Formula> {
+    let tidy = cx.algebra.tidy(e);
+    let trivial = |a: &Formula| is_zero(a) || is_one(a);
+    match &tidy {
+        Formula::Number(_) => Some(tidy),
+        Formula::Call(crate::formula::Function::Sqrt, parts) if trivial(&parts[0]) => {
+            Some(parts[0].clone())
+        }
+        Formula::Binary(crate::formula::Operator::Power, a, n)
+            if trivial(a) && matches!(**n, Formula::Number(_) | Formula::Binary(..)) =>
+        {
+            Some((**a).clone())
+        }
+        _ => None,
+    }
+}
+
+/// The tactic that the shape of the body asks for.
+fn by_shape(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    if !depends(&r.body, &r.name) {
+        return primitive::constant(b, r);
+    }
+    let product = Product::of(&r.body, &r.name, &mut cx.algebra);
+    if product.is_rational(&mut cx.algebra) {
+        return primitive::laurent(b, cx, r);
+    }
+    if let Some(found) = b.attempt(|b| primitive::power(b, cx, r, &product)) {
+        return Some(found);
+    }
+    match is_zero(&r.from) && is_one(&r.to) {
+        true => weight::value(b, cx, r, &product),
+        false => None,
+    }
+    .or_else(|| b.attempt(|b| substitution::to_unit(b, cx, r, &product)))
+}

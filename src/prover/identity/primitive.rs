@@ -1,0 +1,173 @@
+//! Integrals by a primitive: Laurent polynomials in a linear form, and single powers.
+
+use super::Builder;
+use super::evaluate::{Context, Value};
+use super::integrand::Product;
+use super::make::{add, depends, div, int, is_one, is_zero, ln, mul, pow, sub, var};
+use super::range::{body_at, on_closed, on_open, whole};
+use crate::formula::{Formula, Name, Operator, Ranged, substitute};
+use crate::kernel::proof::{Fact, Rule, Step, derive};
+
+/// `F[x:=b] - F[x:=a]`, F given for any name of the variable.
+pub(super) fn by_primitive(
+    b: &mut Builder,
+    r: &Ranged,
+    primitive: &dyn Fn(&Name) -> Option<Formula>,
+) -> Option<Value> {
+    let ends = (&r.from, &r.to);
+    let width = Formula::binary(Operator::Subtract, r.to.clone(), r.from.clone());
+    b.nonnegative(&width)?;
+    let (x, f, finite) = on_closed(b, &r.name, ends, |b, x| {
+        let f = primitive(x)?;
+        let first = b.finite_step(&f)?;
+        let second = b.finite_step(&body_at(r, x)?)?;
+        Some((x.clone(), f, [first, second]))
+    })?;
+    let derived = on_open(b, &r.name, ends, |b, x| {
+        let slope = derive(&primitive(x)?, x).ok()?;
+        b.equal(&slope, &body_at(r, x)?)
+    })?;
+    let at = |end: &Formula| substitute(&f, &[(x.clone(), end.clone())]).ok();
+    let next = Formula::binary(Operator::Subtract, at(&r.to)?, at(&r.from)?);
+    let fact = Fact::Same(whole(r), next.clone());
+    let premises = [finite[0], derived, finite[1]];
+    let step = b.step(fact, Rule::Primitive, &premises, &[f])?;
+    Some((next, step))
+}
+
+/// The integral of what does not depend on the variable.
+pub(super) fn constant(b: &mut Builder, r: &Ranged) -> Option<Value> {
+    by_primitive(b, r, &|x| Some(mul(r.body.clone(), var(x))))
+}
+
+/// The integral of `c*x^p`.
+pub(super) fn power(
+    b: &mut Builder,
+    cx: &mut Context,
+    r: &Ranged,
+    product: &Product,
+) -> Option<Value> {
+    let [(base, p)] = product.factors.as_slice() else {
+        return None;
+    };
+    (*base == Formula::Name(r.name.clone()) && !depends(p, &r.name)).then_some(())?;
+    let next = cx.algebra.tidy(&add(p.clone(), int(1)));
+    if is_zero(&next) {
+        return None;
+    }
+    let c = cx.algebra.tidy(&div(product.coefficient.clone(), next.clone()));
+    by_primitive(b, r, &|x| Some(mul(c.clone(), pow(var(x), next.clone()))))
+}
+
+/// A sum of `c_j*u^j` for a linear form u of the variable.
+pub(super) struct Laurent {
+    pub form: Formula,
+    pub slope: Formula,
+    pub terms: Vec<(i64, Formula)>,
+}
+
+impl Laurent {
+    /// Reads a rational function of x whose denominator is a power of one linear form.
+    pub fn of(cx: &mut Context, e: &Formula, x: &Name) -> Option<Laurent> {
+        let algebra = &mut cx.algebra;
+        let f = algebra.read(e)?;
+        let moving = f.denominator().iter().filter(|(p, _)| algebra.holds(p, x));
+        let moving: Vec<_> = moving.map(|(p, j)| (p.clone(), i64::from(*j))).collect();
+        let (form, order) = match moving.as_slice() {
+            [] => (Formula::Name(x.clone()), 0),
+            [(p, order)] => (algebra.write(&p.clone().into()), *order),
+            _ => return None,
+        };
+        let powers = algebra.in_powers(&form, x)?;
+        let degree = powers.keys().next_back()?;
+        (*degree == 1).then_some(())?;
+        let slope = powers.get(&1)?.clone();
+        let origin = powers.get(&0).cloned().unwrap_or(int(0));
+        // x = (u - origin)/slope, u under the name of x.
+        let place = div(sub(Formula::Name(x.clone()), origin), slope.clone());
+        let above = Formula::binary(
+            Operator::Multiply,
+            e.clone(),
+            pow(form.clone(), int(order)),
+        );
+        let above = algebra.tidy(&above);
+        let moved = substitute(&above, &[(x.clone(), place)]).ok()?;
+        let terms = algebra.in_powers(&moved, x)?.into_iter();
+        let terms = terms.map(|(j, c)| (i64::from(j) - order, c)).collect();
+        Some(Laurent { form, slope, terms })
+    }
+
+    /// A primitive.
+    fn primitive(&self, cx: &mut Context) -> Formula {
+        let mut sum = int(0);
+        for (j, c) in &self.terms {
+            let below = match j {
+                -1 => self.slope.clone(),
+                _ => mul(int(j + 1), self.slope.clone()),
+            };
+            let c = cx.algebra.tidy(&div(c.clone(), below));
+            let term = match j + 1 {
+                0 => mul(c, ln(self.form.clone())),
+                n if n < 0 => div(c, pow(self.form.clone(), int(-n))),
+                n => mul(c, pow(self.form.clone(), int(n))),
+            };
+            sum = add(sum, term);
+        }
+        sum
+    }
+}
+
+/// The integral of a Laurent polynomial in a linear form.
+pub(super) fn laurent(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let laurent = Laurent::of(cx, &r.body, &r.name)?;
+    let f = laurent.primitive(cx);
+    let name = r.name.clone();
+    let at = |x: &Name| substitute(&f, &[(name.clone(), var(x))]).ok();
+    if let Some(found) = b.attempt(|b| by_primitive(b, r, &at)) {
+        return Some(found);
+    }
+    if laurent.terms.iter().any(|(j, _)| *j < 0) {
+        let low = substitute(&laurent.form, &[(name.clone(), r.from.clone())]).ok()?;
+        let low = cx.algebra.tidy(&low);
+        cx.hints.push(low);
+    }
+    b.attempt(|b| diverges(b, cx, r))
+}
+
+/// That an integral is infinite: the body is `g/(x - a)`, g positive at the lower end a.
+pub(super) fn diverges(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let distance = Formula::binary(Operator::Subtract, var(&r.name), r.from.clone());
+    let g = Formula::binary(Operator::Multiply, r.body.clone(), distance);
+    let g = match Product::of(&g, &r.name, &mut cx.algebra) {
+        product if product.is_rational(&mut cx.algebra) => cx.algebra.tidy(&g),
+        product => mul(product.coefficient.clone(), product.core()),
+    };
+    let ends = (&r.from, &r.to);
+    let at = |x: &Name| substitute(&g, &[(r.name.clone(), var(x))]).ok();
+    let width = Formula::binary(Operator::Subtract, r.to.clone(), r.from.clone());
+    b.positive(&width)?;
+    let (x, finite) = on_closed(b, &r.name, ends, |b, x| {
+        let step = b.finite_step(&at(x)?)?;
+        Some((x.clone(), step))
+    })?;
+    let premises: [Step; 2] = on_open(b, &r.name, ends, |b, x| {
+        let g = at(x)?;
+        let distance = Formula::binary(Operator::Subtract, var(x), r.from.clone());
+        let quotient = Formula::binary(Operator::Divide, g.clone(), distance);
+        let same = b.equal(&body_at(r, x)?, &quotient)?;
+        b.nonnegative(&g)?;
+        let sign = b.step(Fact::AtMost(int(0), g.clone()), Rule::Order, &[], &[g])?;
+        Some([same, sign])
+    })?;
+    let start = substitute(&g, &[(r.name.clone(), r.from.clone())]).ok()?;
+    b.positive(&start)?;
+    let fact = Fact::Same(whole(r), Formula::Infinity);
+    let premises = [finite, premises[0], premises[1]];
+    let step = b.step(fact, Rule::Diverges, &premises, &[at(&x)?])?;
+    Some((Formula::Infinity, step))
+}
+
+/// Whether the ends are 0 and 1.
+pub(super) fn is_unit(r: &Ranged) -> bool {
+    is_zero(&r.from) && is_one(&r.to)
+}

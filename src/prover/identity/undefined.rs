@@ -1,0 +1,93 @@
+//! Makes it known that formulas have no value.
+
+use super::builder::Builder;
+use super::form::{integer, negate};
+use crate::formula::{Formula, Function, Operator};
+use crate::kernel::proof::{Fact, Rule, Step};
+
+impl Builder<'_> {
+    /// Makes it known that a formula has no value.
+    pub fn undefined(&mut self, e: &Formula) -> Option<()> {
+        if self.seen(&Fact::Undefined(e.clone())).is_some() || self.has_no_value(e) {
+            return Some(());
+        }
+        match e {
+            Formula::Negate(a) | Formula::Factorial(a) => self.undefined(a),
+            Formula::Binary(_, a, b) => self.undefined(a).or_else(|| self.undefined(b)),
+            Formula::Call(_, parts) | Formula::Apply(_, parts) => {
+                parts.iter().find_map(|part| self.undefined(part))
+            }
+            _ => None,
+        }
+    }
+
+    /// States `a == b` where neither has a value.
+    pub fn both_undefined(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
+        self.undefined(a)?;
+        self.undefined(b)?;
+        let fact = Fact::Same(a.clone(), b.clone());
+        self.step(fact, Rule::None, &[], &[])
+    }
+
+    /// Whether the operation itself has no value.
+    fn has_no_value(&mut self, e: &Formula) -> bool {
+        match e {
+            Formula::Binary(Operator::Divide, _, b) => self.zero(b).is_some(),
+            Formula::Binary(Operator::Power, a, b) => self
+                .attempt(|builder| {
+                    builder.zero(a)?;
+                    builder.finite(b)?;
+                    builder.positive(&negate((**b).clone()))
+                })
+                .is_some(),
+            Formula::Call(Function::Ln, parts) => parts.first().is_some_and(|a| {
+                self.zero(a).is_some()
+                    || self
+                        .attempt(|builder| {
+                            builder.finite(a)?;
+                            builder.nonnegative(&negate(a.clone()))
+                        })
+                        .is_some()
+            }),
+            _ => false,
+        }
+    }
+
+    /// Makes it known that a formula is finite with the value 0.
+    pub fn zero(&mut self, e: &Formula) -> Option<()> {
+        self.attempt(|builder| {
+            builder.finite(e)?;
+            let zero = integer(0);
+            if builder.field.borrow_mut().same(e, &zero) {
+                return Some(());
+            }
+            builder.squeeze(e, &zero).or_else(|| {
+                let step = builder.equal(e, &zero);
+                step.or_else(|| builder.equal_with_all(e, &zero))
+            })?;
+            Some(())
+        })
+    }
+
+    /// States `a == b` for finite sides where each is shown to be at most the other.
+    pub fn squeeze(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
+        self.attempt(|builder| {
+            builder.nonnegative(&super::form::minus(b.clone(), a.clone()))?;
+            builder.nonnegative(&super::form::minus(a.clone(), b.clone()))?;
+            let fact = Fact::Same(a.clone(), b.clone());
+            builder.step(fact, Rule::Order, &[], &[])
+        })
+    }
+
+    /// States `a == b` by any one of the equations in sight whose left side is a name.
+    fn equal_with_all(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
+        let names = self.equations();
+        let names = names
+            .into_iter()
+            .filter(|step| matches!(self.fact(*step), Fact::Same(Formula::Name(_), _)))
+            .collect::<Vec<_>>();
+        names
+            .into_iter()
+            .find_map(|step| self.attempt(|builder| builder.equal_with(a, b, &[step])))
+    }
+}
