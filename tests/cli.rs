@@ -338,8 +338,9 @@ fn witnesses_are_replayed_by_the_kernel() {
         fs::write(&path, text).expect("can be written");
         see(program()
             .arg("recheck")
-            .arg(&path)
             .arg(&folder)
+            .arg("--report")
+            .arg(&path)
             .output()
             .expect("starts"))
     };
@@ -360,4 +361,139 @@ fn witnesses_are_replayed_by_the_kernel() {
     let truncated = recheck("truncated.json", &report[..report.len() / 2]);
     assert_eq!(truncated.code, Some(2));
     assert!(truncated.err.contains("not a report"), "{}", truncated.err);
+}
+
+/// Runs a command on a book.
+fn on(command: &str, folder: &Path, options: &[&str]) -> Seen {
+    let output = program().arg(command).args(options).arg(folder).output();
+    see(output.expect("the program starts"))
+}
+
+/// Both statements of the first claim are proved, the print of the second is refuted.
+const CERTIFIED: &str = "\
+```claim square
+given  int k
+says   (k + 1)^2 == k^2 + 2*k + 1
+needs  k >= 0 sufficient
+expect printed proved, mended proved
+```
+
+```claim twice
+given  int k with k >= 1
+says   k^2 == 2*k
+expect refuted
+```
+";
+
+#[test]
+fn certificates_are_saved_and_rechecked() {
+    let folder = book("certificates", CERTIFIED);
+    let _ = fs::remove_dir_all(folder.join("certificates"));
+    let missing = on("recheck", &folder, &[]);
+    assert_eq!(missing.code, Some(1));
+    assert!(
+        missing
+            .out
+            .contains("chapter.md:1: square: expected printed proved"),
+        "{}",
+        missing.out
+    );
+
+    let first = check(&folder, &["--save"]);
+    assert_eq!(first.code, Some(0), "{}{}", first.out, first.err);
+    assert!(
+        first.err.contains("2 written, 0 unchanged"),
+        "{}",
+        first.err
+    );
+    let second = check(&folder, &["--save", "--format", "json"]);
+    assert!(
+        second.err.contains("0 written, 2 unchanged"),
+        "{}",
+        second.err
+    );
+    let report: serde_json::Value = serde_json::from_str(&second.out).expect("is JSON");
+    let printed = &report["claims"][0]["printed"];
+    assert_eq!(printed["verdict"], "proved");
+    assert_eq!(printed["certificate"], "certificates/square.proof");
+    assert_eq!(printed["proved_links"], serde_json::json!([1]));
+
+    let good = on("recheck", &folder, &[]);
+    assert_eq!(good.code, Some(0), "{}{}", good.out, good.err);
+    assert!(
+        good.out.starts_with("2 theorems and 1 refutation"),
+        "{}",
+        good.out
+    );
+    assert_eq!(on("recheck", &folder.join("chapter.md"), &[]).code, Some(0));
+}
+
+#[test]
+fn a_certificate_that_is_altered_is_found_out_and_renewed() {
+    let folder = book("altered", CERTIFIED);
+    let _ = fs::remove_dir_all(folder.join("certificates"));
+    assert_eq!(check(&folder, &["--save"]).code, Some(0));
+    let file = folder.join("certificates/square.proof");
+    let right = fs::read_to_string(&file).expect("it is saved");
+    let altered = [
+        right.replace("2*k", "3*k"),
+        right[..right.len() / 2].to_owned(),
+        right.replace("(k + 1)^2 ==", "(1 + k)^2 =="),
+        "((((".repeat(100_000),
+        "theorem\n".repeat(600_000),
+        String::new(),
+    ];
+    for text in altered {
+        fs::write(&file, &text).expect("can be written");
+        let seen = on("recheck", &folder, &[]);
+        assert_eq!(seen.code, Some(1), "{}{}", seen.out, seen.err);
+        assert!(seen.out.contains("square.proof:"), "{}", seen.out);
+        let checked = check(&folder, &[]);
+        assert_eq!(checked.code, Some(0), "{}{}", checked.out, checked.err);
+        assert!(!checked.err.contains("written"), "{}", checked.err);
+    }
+    assert_eq!(check(&folder, &["--save"]).code, Some(0));
+    assert_eq!(fs::read_to_string(&file).expect("it is saved"), right);
+}
+
+#[test]
+fn the_folder_of_certificates_can_be_named() {
+    let folder = book("named", CERTIFIED);
+    let certificates = folder.join("elsewhere");
+    let _ = fs::remove_dir_all(&certificates);
+    let certificates = certificates.display().to_string();
+    let options = ["--certificates", &certificates];
+    let nowhere = on("recheck", &folder, &options);
+    assert_eq!(nowhere.code, Some(2));
+    assert!(nowhere.err.contains("check --save"), "{}", nowhere.err);
+    assert_eq!(
+        check(&folder, &["--save", options[0], options[1]]).code,
+        Some(0)
+    );
+    assert_eq!(on("recheck", &folder, &options).code, Some(0));
+    // A file in the place of the folder.
+    let chapter = folder.join("chapter.md").display().to_string();
+    let blocked = check(&folder, &["--save", "--certificates", &chapter]);
+    assert_eq!(blocked.code, Some(2), "{}", blocked.err);
+    assert!(blocked.err.contains("cannot be written"), "{}", blocked.err);
+}
+
+#[test]
+fn a_proof_is_explained() {
+    let folder = book("explained", CERTIFIED);
+    let seen = see(program()
+        .args(["explain", "square"])
+        .arg(&folder)
+        .output()
+        .expect("starts"));
+    assert_eq!(seen.code, Some(0), "{}{}", seen.out, seen.err);
+    for part in [
+        "Proof of the statement as printed",
+        "Proof of the mended statement",
+        "says (k + 1)^2 == k^2 + 2*k + 1",
+        "Facts used",
+    ] {
+        assert!(seen.out.contains(part), "no {part} in {}", seen.out);
+    }
+    assert!(seen.out.lines().all(|line| line.chars().count() <= 100));
 }

@@ -232,4 +232,14 @@ mod tests {
         assert!(run.is_ok());
         assert_eq!(most.into_inner(), 50);
     }
+
+    #[test]
+    fn a_contradiction_is_an_internal_error() {
+        let book = book(1);
+        let mut report = judge::judge(&book.claims[0], None, &Settings::default());
+        report.contradiction = Some("link 1 is both".into());
+        let (id, message) = ("2.0".into(), "link 1 is both".into());
+        let error = sound(report).expect_err("a contradiction");
+        assert_eq!(error, Error::Internal { id, message });
+    }
 }

@@ -113,7 +113,7 @@ fn integral(ranged: &Ranged, scope: &Scope) -> Evaluation {
         Ordering::Equal => {
             // A point has no length, whatever the integrand is there.
             match from {
-                Bound::Finite(_) => Ok(number(Rational::new())),
+                Bound::Finite(_) => number(Rational::new()),
                 _ => Err(unsupported("an integral from infinity to infinity")),
             }
         }

@@ -259,3 +259,41 @@ fn and(items: &[String]) -> String {
         [most @ .., last] => format!("{} and {last}", most.join(", ")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::proof::parse;
+
+    /// Shows the layout only: nothing here is checked.
+    const CERTIFICATE: &str = "\
+theorem
+given int k; real a
+domain k >= 2 and a > 0
+says int((k - 1)*x^(k - 2), x = 0..a) == a^(k - 1) == a^k/a
+example a = 1, k = 2
+proof
+1: 2 <= k | given
+2: 0 < k - 1 | order | k - 2 + 1
+{ x real | 3: 0 < x | 4: x < a
+5: diff(x^(k - 1)*(a + 1)*(a + 2)*(a + 3)*(a + 4)*(a + 5), x) == (k - 1)*x^(k - 2)*(a + 1)*(a + 2)*(a + 3)*(a + 4)*(a + 5) | ring 2 3 | x^(k - 1)
+{ | 6: k == 2
+7: finite x | finite
+}
+}
+8: int((k - 1)*x^(k - 2), x = 0..a) == a^(k - 1) | primitive 5 7 | x^(k - 1)
+qed 8
+";
+
+    #[test]
+    fn a_proof_is_readable_in_100_columns() {
+        let certificate = parse(CERTIFICATE).expect("a certificate");
+        let text = render(PRINTED, &certificate[0]);
+        let text = anstream::adapter::strip_str(&text).to_string();
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 100),
+            "{text}"
+        );
+        insta::assert_snapshot!(text);
+    }
+}

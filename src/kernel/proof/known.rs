@@ -5,7 +5,6 @@
 //! for that first. A fact `a < b` says that everything equal to `b - a` as a rational function is
 //! positive, so `k - 1` is positive where `1 < k` is in sight.
 
-use super::normal::Fraction;
 use super::{Fact, Proof, Proved, Rejected, Step};
 use crate::formula::{
     Condition, Formula, Function, FunctionKind, Name, Operator, ParameterKind, Part, Rational,
@@ -14,6 +13,19 @@ use crate::formula::{
 use num_traits::{Signed, Zero};
 
 type Known = Result<bool, Rejected>;
+
+/// What is known of the sign of a number.
+#[derive(Clone, Copy)]
+struct Sign {
+    nonnegative: bool,
+    nonzero: bool,
+}
+
+impl Sign {
+    fn positive(self) -> bool {
+        self.nonnegative && self.nonzero
+    }
+}
 
 /// Whether all of a list of questions are answered with yes.
 macro_rules! all {
@@ -42,25 +54,6 @@ impl Proof<'_> {
     /// Whether the very fact is in sight.
     pub(super) fn sees_fact(&self, fact: &Fact) -> Known {
         self.sees(|proved| Ok(proved.fact == *fact))
-    }
-
-    /// Whether the formula is a number with this sign, or a relation in sight has it as its `b - a`.
-    fn seen_as(
-        &self,
-        formula: &Formula,
-        sign: fn(&Rational) -> bool,
-        allows: fn(&Fact) -> bool,
-    ) -> Known {
-        let Ok(wanted) = self.normal(formula) else {
-            return self.spend(1).map(|()| false);
-        };
-        if let Some(number) = wanted.as_constant() {
-            return Ok(sign(&number));
-        }
-        self.sees(|proved| match &proved.difference {
-            Some(difference) if allows(&proved.fact) => difference.equals(&wanted),
-            _ => Ok(false),
-        })
     }
 
     /// Whether the formula has a value that is a number. Arithmetic and functions are so where their
@@ -184,42 +177,85 @@ impl Proof<'_> {
 
     /// Whether a finite formula is greater than 0.
     pub(super) fn positive(&self, formula: &Formula) -> Known {
-        self.spend(1)?;
-        let by_structure = match formula {
-            Formula::Pi | Formula::Factorial(_) => true,
-            Formula::Binary(Operator::Add, a, b) => {
-                (self.positive(a)? && self.nonnegative(b)?)
-                    || (self.nonnegative(a)? && self.positive(b)?)
-            }
-            Formula::Binary(Operator::Multiply | Operator::Divide, a, b) => {
-                self.positive(a)? && self.positive(b)?
-            }
-            Formula::Binary(Operator::Power, a, b) => {
-                self.positive(a)? || (is_even(b) && self.nonzero(a)?)
-            }
-            Formula::Call(Function::Gamma | Function::Sqrt, parts) => self.positive(&parts[0])?,
-            Formula::Call(Function::Beta, _) => true,
-            _ => false,
-        };
-        let allows = |fact: &Fact| matches!(fact, Fact::Less(..));
-        Ok(by_structure || self.seen_as(formula, Rational::is_positive, allows)?)
+        Ok(self.sign(formula)?.positive())
     }
 
     /// Whether a finite formula is at least 0.
     pub(super) fn nonnegative(&self, formula: &Formula) -> Known {
+        Ok(self.sign(formula)?.nonnegative)
+    }
+
+    /// Whether a finite formula is not 0.
+    pub(super) fn nonzero(&self, formula: &Formula) -> Known {
+        Ok(self.sign(formula)?.nonzero)
+    }
+
+    /// What is known of the sign of a finite formula: by its structure, as a number, and by the
+    /// relations in sight that have it as their `b - a`.
+    fn sign(&self, formula: &Formula) -> Result<Sign, Rejected> {
         self.spend(1)?;
-        let by_structure = match formula {
-            Formula::Indicator(_) | Formula::Call(Function::Sqrt, _) => true,
-            Formula::Apply(name, _) => self.is_density(name),
-            Formula::Binary(Operator::Add | Operator::Multiply | Operator::Divide, a, b) => {
-                self.nonnegative(a)? && self.nonnegative(b)?
-            }
-            Formula::Binary(Operator::Power, a, b) => is_even(b) || self.nonnegative(a)?,
-            _ => false,
+        let mut sign = self.sign_by_structure(formula)?;
+        let Ok(own) = self.normal(formula) else {
+            return self.spend(1).map(|()| sign);
         };
-        let allows = |fact: &Fact| matches!(fact, Fact::Less(..) | Fact::AtMost(..));
-        let sign = |number: &Rational| !number.is_negative();
-        Ok(by_structure || self.positive(formula)? || self.seen_as(formula, sign, allows)?)
+        if let Some(number) = own.as_constant() {
+            return Ok(Sign {
+                nonnegative: !number.is_negative(),
+                nonzero: !number.is_zero(),
+            });
+        }
+        let negated = own.negated();
+        for (step, proved) in self.sight() {
+            let Some(difference) = &proved.difference else {
+                continue;
+            };
+            let (strict, ordered) = match proved.fact {
+                Fact::Less(..) => (true, true),
+                Fact::AtMost(..) => (false, true),
+                _ => (true, false),
+            };
+            let same = difference.equals(&own, &self.fuel)?;
+            if same || (strict && difference.equals(&negated, &self.fuel)?) {
+                self.seen.borrow_mut().push(step);
+                sign.nonnegative |= same && ordered;
+                sign.nonzero |= strict;
+            }
+        }
+        Ok(sign)
+    }
+
+    fn sign_by_structure(&self, formula: &Formula) -> Result<Sign, Rejected> {
+        let sign = |nonnegative, nonzero| Sign {
+            nonnegative,
+            nonzero,
+        };
+        Ok(match formula {
+            Formula::Pi | Formula::Factorial(_) | Formula::Call(Function::Beta, _) => {
+                sign(true, true)
+            }
+            Formula::Negate(a) => sign(false, self.sign(a)?.nonzero),
+            Formula::Binary(Operator::Add, a, b) => {
+                let (a, b) = (self.sign(a)?, self.sign(b)?);
+                let both = a.nonnegative && b.nonnegative;
+                sign(both, both && (a.nonzero || b.nonzero))
+            }
+            Formula::Binary(Operator::Multiply | Operator::Divide, a, b) => {
+                let (a, b) = (self.sign(a)?, self.sign(b)?);
+                sign(a.nonnegative && b.nonnegative, a.nonzero && b.nonzero)
+            }
+            Formula::Binary(Operator::Power, a, b) => {
+                let a = self.sign(a)?;
+                sign(a.nonnegative || is_even(b), a.nonzero)
+            }
+            Formula::Call(Function::Gamma, parts) => {
+                let positive = self.sign(&parts[0])?.positive();
+                sign(positive, positive)
+            }
+            Formula::Call(Function::Sqrt, parts) => sign(true, self.sign(&parts[0])?.positive()),
+            Formula::Apply(name, _) => sign(self.is_density(name), false),
+            Formula::Indicator(_) => sign(true, false),
+            _ => sign(false, false),
+        })
     }
 
     fn is_density(&self, name: &Name) -> bool {
@@ -232,26 +268,6 @@ impl Proof<'_> {
                 ..
             })
         )
-    }
-
-    /// Whether a finite formula is not 0.
-    pub(super) fn nonzero(&self, formula: &Formula) -> Known {
-        self.spend(1)?;
-        let by_structure = match formula {
-            Formula::Negate(a) => self.nonzero(a)?,
-            Formula::Binary(Operator::Multiply | Operator::Divide, a, b) => {
-                self.nonzero(a)? && self.nonzero(b)?
-            }
-            Formula::Binary(Operator::Power, a, _) => self.nonzero(a)?,
-            _ => false,
-        };
-        if by_structure || self.positive(formula)? {
-            return Ok(true);
-        }
-        let allows = |fact: &Fact| matches!(fact, Fact::Less(..) | Fact::Different(..));
-        let sign = |number: &Rational| !number.is_zero();
-        let negated = Formula::Negate(Box::new(formula.clone()));
-        Ok(self.seen_as(formula, sign, allows)? || self.seen_as(&negated, sign, allows)?)
     }
 
     /// Whether a formula is finite with the value 0: by arithmetic, or by an equation in sight.
@@ -267,8 +283,9 @@ impl Proof<'_> {
         }
         self.sees(|proved| match &proved.fact {
             Fact::Same(a, b) if self.finite(a)? && self.finite(b)? => {
-                let difference = self.normal(a)?.minus(&self.normal(b)?)?;
-                Ok(difference.equals(&wanted)? || difference.negated().equals(&wanted)?)
+                let difference = self.normal(a)?.minus(&self.normal(b)?, &self.fuel)?;
+                Ok(difference.equals(&wanted, &self.fuel)?
+                    || difference.negated().equals(&wanted, &self.fuel)?)
             }
             _ => Ok(false),
         })
@@ -280,7 +297,7 @@ impl Proof<'_> {
         if a == b {
             return Ok(true);
         }
-        let rational = || -> Result<Fraction, Rejected> { self.normal(a)?.minus(&self.normal(b)?) };
+        let rational = || self.normal(a)?.minus(&self.normal(b)?, &self.fuel);
         if self.finite(a)? && self.finite(b)? && rational().is_ok_and(|d| d.is_zero()) {
             return Ok(true);
         }

@@ -33,6 +33,24 @@ use std::cell::{Cell, RefCell};
 
 /// Counted work for one proof; the longest in the book takes a small part of it.
 const FUEL: u64 = 20_000_000;
+/// Blocks are not nested deeper, and do not fix more variables or suppose more.
+const BLOCK_CAP: usize = 32;
+
+/// A store of work.
+#[derive(Clone, Debug)]
+struct Fuel(Cell<u64>);
+
+impl Fuel {
+    fn spend(&self, steps: u64) -> Result<(), Rejected> {
+        match self.0.get().checked_sub(steps) {
+            Some(rest) => {
+                self.0.set(rest);
+                Ok(())
+            }
+            None => reject("too much work for one proof"),
+        }
+    }
+}
 
 /// Why a step is not one.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -91,7 +109,7 @@ pub struct Proof<'p> {
     /// The blocks that are open, outermost first.
     open: Vec<usize>,
     atoms: RefCell<Atoms>,
-    fuel: Cell<u64>,
+    fuel: Fuel,
     rules: Vec<Rule>,
     /// The facts in sight that the step under way made use of.
     seen: RefCell<Vec<Step>>,
@@ -138,7 +156,7 @@ impl<'p> Proof<'p> {
             blocks: Vec::new(),
             open: Vec::new(),
             atoms: RefCell::default(),
-            fuel: Cell::new(FUEL),
+            fuel: Fuel(Cell::new(FUEL)),
             rules: Vec::new(),
             seen: RefCell::default(),
         }
@@ -164,6 +182,8 @@ impl<'p> Proof<'p> {
         hypotheses: Vec<Fact>,
     ) -> Result<(), Rejected> {
         self.spend(1)?;
+        let most = self.open.len().max(variables.len()).max(hypotheses.len());
+        require(most < BLOCK_CAP, "a block too deep, or with too much in it")?;
         for (i, variable) in variables.iter().enumerate() {
             let again = variables[..i]
                 .iter()
@@ -171,22 +191,21 @@ impl<'p> Proof<'p> {
             let taken = again || self.is_declared(&variable.name) || is_reserved(&variable.name);
             require(!taken, "a variable's name is in use")?;
         }
+        let steps = self.steps.len();
         self.open.push(self.blocks.len());
         self.blocks.push(Block {
             variables,
             hypotheses: hypotheses.clone(),
         });
-        let checked = hypotheses
-            .iter()
-            .try_for_each(|fact| self.check_names(fact));
-        if let Err(error) = checked {
+        let opened = hypotheses.into_iter().try_for_each(|fact| {
+            self.check_names(&fact)?;
+            self.record(fact).map(|_| ())
+        });
+        if opened.is_err() {
             self.open.pop();
-            return Err(error);
+            self.steps.truncate(steps);
         }
-        for fact in hypotheses {
-            self.record(fact)?;
-        }
-        Ok(())
+        opened
     }
 
     /// Closes the innermost block.
@@ -269,7 +288,7 @@ impl<'p> Proof<'p> {
     fn record(&mut self, fact: Fact) -> Result<Step, Rejected> {
         let difference = match &fact {
             Fact::Less(a, b) | Fact::AtMost(a, b) | Fact::Different(a, b) => {
-                Some(self.normal(b)?.minus(&self.normal(a)?)?)
+                Some(self.normal(b)?.minus(&self.normal(a)?, &self.fuel)?)
             }
             _ => None,
         };
@@ -331,15 +350,8 @@ impl<'p> Proof<'p> {
         }
     }
 
-    /// Takes steps from the store of work.
     fn spend(&self, steps: u64) -> Result<(), Rejected> {
-        match self.fuel.get().checked_sub(steps) {
-            Some(rest) => {
-                self.fuel.set(rest);
-                Ok(())
-            }
-            None => reject("too much work for one proof"),
-        }
+        self.fuel.spend(steps)
     }
 }
 

@@ -4,44 +4,42 @@
 //! normal form says nothing of values: `x/x` is 1 here. It is used for formulas that are known to be
 //! finite, part by part; then every divisor has a value other than 0 and the two agree.
 
-use super::{Proof, Rejected, reject, require};
-use crate::formula::{Formula, Operator, Rational};
+use super::{Fuel, Proof, Rejected, reject, require};
+use crate::formula::{Formula, Function, Name, Operator, Rational};
 use num_traits::{One, ToPrimitive, Zero};
 use std::collections::{BTreeMap, HashMap};
 
 /// No power beyond this is expanded.
 const EXPONENT_CAP: u64 = 200;
 /// No atom or factor of a denominator gets a higher exponent.
-const DEGREE_CAP: u32 = 10_000;
-/// No coefficient gets longer, in bits.
-const BITS_CAP: u64 = 100_000;
+const DEGREE_CAP: u32 = 1_000;
+/// No coefficient gets much longer, in bits.
+const BITS_CAP: u64 = 4_096;
 /// No polynomial of more terms is made.
 const TERMS_CAP: usize = 20_000;
 /// Equations are not put into each other beyond this depth: they may run in a circle.
 const REPLACEMENT_CAP: usize = 40;
 
-/// The atoms of a proof, by number.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Atoms {
-    list: Vec<Formula>,
-    numbers: HashMap<Formula, usize>,
+/// What an atom is. Functions are told apart by the normal forms of their arguments: where the
+/// value is finite so are those, and equal normal forms are equal numbers.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Atom {
+    Factorial(Fraction),
+    Power(Fraction, Fraction),
+    Call(Function, Vec<Fraction>),
+    Apply(Name, Vec<Fraction>),
+    /// As it is written.
+    Other(Formula),
 }
 
-impl Atoms {
-    fn number(&mut self, atom: Formula) -> usize {
-        let next = self.list.len();
-        *self.numbers.entry(atom).or_insert_with_key(|atom| {
-            self.list.push(atom.clone());
-            next
-        })
-    }
-}
+/// The atoms of a proof, by number.
+pub(super) type Atoms = HashMap<Atom, usize>;
 
 /// Atoms with their exponents, all of them positive.
 type Monomial = BTreeMap<usize, u32>;
 
 /// A polynomial with rational coefficients, none of them zero.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Polynomial(BTreeMap<Monomial, Rational>);
 
 impl Polynomial {
@@ -80,9 +78,18 @@ impl Polynomial {
         self
     }
 
-    fn times(&self, other: &Polynomial) -> Result<Polynomial, Rejected> {
+    /// The length of its longest coefficient.
+    fn bits(&self) -> u64 {
+        let bits = |c: &Rational| c.numer().bits() + c.denom().bits();
+        self.0.values().map(bits).max().unwrap_or(0)
+    }
+
+    fn times(&self, other: &Polynomial, fuel: &Fuel) -> Result<Polynomial, Rejected> {
         let size = self.0.len().saturating_mul(other.0.len());
         require(size <= TERMS_CAP, "a polynomial with too many terms")?;
+        let bits = self.bits() + other.bits();
+        require(bits <= BITS_CAP, "a coefficient that is too large")?;
+        fuel.spend(size as u64 * (1 + bits / 64))?;
         let mut product = Polynomial::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
@@ -92,18 +99,13 @@ impl Polynomial {
             }
         }
         product.0.retain(|_, c| !c.is_zero());
-        let short = |c: &Rational| c.numer().bits().max(c.denom().bits()) <= BITS_CAP;
-        require(
-            product.0.values().all(short),
-            "a coefficient that is too large",
-        )?;
         Ok(product)
     }
 
-    fn power(&self, exponent: u32) -> Result<Polynomial, Rejected> {
+    fn power(&self, exponent: u32, fuel: &Fuel) -> Result<Polynomial, Rejected> {
         let mut result = Polynomial::constant(Rational::one());
         for _ in 0..exponent {
-            result = result.times(self)?;
+            result = result.times(self, fuel)?;
         }
         Ok(result)
     }
@@ -123,7 +125,7 @@ fn raise<K: Ord + Clone>(
 }
 
 /// A quotient: the product of the factors below, each to its exponent, is the denominator.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Fraction {
     above: Polynomial,
     below: BTreeMap<Polynomial, u32>,
@@ -164,11 +166,13 @@ impl Fraction {
     }
 
     /// The numerator over a denominator that has at least these factors.
-    fn over(&self, below: &BTreeMap<Polynomial, u32>) -> Result<Polynomial, Rejected> {
+    fn over(&self, below: &BTreeMap<Polynomial, u32>, fuel: &Fuel) -> Result<Polynomial, Rejected> {
         let mut above = self.above.clone();
         for (factor, exponent) in below {
             let own = self.below.get(factor).copied().unwrap_or(0);
-            above = above.times(&factor.power(exponent - own)?)?;
+            if *exponent > own {
+                above = above.times(&factor.power(exponent - own, fuel)?, fuel)?;
+            }
         }
         Ok(above)
     }
@@ -183,33 +187,37 @@ impl Fraction {
         below
     }
 
-    pub fn plus(&self, other: &Fraction) -> Result<Fraction, Rejected> {
+    pub fn plus(&self, other: &Fraction, fuel: &Fuel) -> Result<Fraction, Rejected> {
         let below = self.common(other);
-        let above = self.over(&below)?.plus(&other.over(&below)?);
-        Ok(Fraction { above, below })
+        let (a, b) = (self.over(&below, fuel)?, other.over(&below, fuel)?);
+        let bits = a.bits() + b.bits();
+        require(bits <= BITS_CAP, "a coefficient that is too large")?;
+        fuel.spend((a.0.len() + b.0.len()) as u64)?;
+        Ok(Fraction {
+            above: a.plus(&b),
+            below,
+        })
     }
 
-    pub fn minus(&self, other: &Fraction) -> Result<Fraction, Rejected> {
-        self.plus(&other.negated())
+    pub fn minus(&self, other: &Fraction, fuel: &Fuel) -> Result<Fraction, Rejected> {
+        self.plus(&other.negated(), fuel)
     }
 
-    pub fn times(&self, other: &Fraction) -> Result<Fraction, Rejected> {
+    fn times(&self, other: &Fraction, fuel: &Fuel) -> Result<Fraction, Rejected> {
         let mut below = self.below.clone();
         raise(&mut below, &other.below)?;
-        let above = self.above.times(&other.above)?;
+        let above = self.above.times(&other.above, fuel)?;
         Ok(Fraction { above, below })
     }
 
     /// One over it; a constant factor is kept above.
-    fn inverse(&self) -> Result<Fraction, Rejected> {
+    fn inverse(&self, fuel: &Fuel) -> Result<Fraction, Rejected> {
         require(!self.is_zero(), "a division by what is 0")?;
-        let mut above = Polynomial::constant(Rational::one());
-        for (factor, exponent) in &self.below {
-            above = above.times(&factor.power(*exponent)?)?;
-        }
+        let one = Fraction::constant(Rational::one());
+        let mut above = one.over(&self.below, fuel)?;
         if let Some(value) = self.above.as_constant() {
-            let inverse = Polynomial::constant(value.recip());
-            return Ok(Fraction::of(above.times(&inverse)?));
+            above = above.times(&Polynomial::constant(value.recip()), fuel)?;
+            return Ok(Fraction::of(above));
         }
         Ok(Fraction {
             above,
@@ -217,24 +225,24 @@ impl Fraction {
         })
     }
 
-    fn power(&self, exponent: i64) -> Result<Fraction, Rejected> {
+    fn power(&self, exponent: i64, fuel: &Fuel) -> Result<Fraction, Rejected> {
         let times = exponent.unsigned_abs();
         require(times <= EXPONENT_CAP, "a power too high to expand")?;
         let base = if exponent < 0 {
-            self.inverse()?
+            self.inverse(fuel)?
         } else {
             self.clone()
         };
         let mut result = Fraction::constant(Rational::one());
         for _ in 0..times {
-            result = result.times(&base)?;
+            result = result.times(&base, fuel)?;
         }
         Ok(result)
     }
 
     /// Whether the two are equal as rational functions of their atoms.
-    pub fn equals(&self, other: &Fraction) -> Result<bool, Rejected> {
-        Ok(self.minus(other)?.is_zero())
+    pub fn equals(&self, other: &Fraction, fuel: &Fuel) -> Result<bool, Rejected> {
+        Ok(self.minus(other, fuel)?.is_zero())
     }
 }
 
@@ -256,18 +264,19 @@ impl Proof<'_> {
     ) -> Result<Fraction, Rejected> {
         self.spend(1)?;
         require(depth <= REPLACEMENT_CAP, "equations that run in a circle")?;
+        let fuel = &self.fuel;
         let normal = |part: &Formula| self.normal_with(part, equations, depth);
         match formula {
             Formula::Number(value) => Ok(Fraction::constant(value.clone())),
             Formula::Negate(a) => Ok(normal(a)?.negated()),
-            Formula::Binary(Operator::Add, a, b) => self.paid(normal(a)?.plus(&normal(b)?)?),
-            Formula::Binary(Operator::Subtract, a, b) => self.paid(normal(a)?.minus(&normal(b)?)?),
-            Formula::Binary(Operator::Multiply, a, b) => self.paid(normal(a)?.times(&normal(b)?)?),
+            Formula::Binary(Operator::Add, a, b) => normal(a)?.plus(&normal(b)?, fuel),
+            Formula::Binary(Operator::Subtract, a, b) => normal(a)?.minus(&normal(b)?, fuel),
+            Formula::Binary(Operator::Multiply, a, b) => normal(a)?.times(&normal(b)?, fuel),
             Formula::Binary(Operator::Divide, a, b) => {
-                self.paid(normal(a)?.times(&normal(b)?.inverse()?)?)
+                normal(a)?.times(&normal(b)?.inverse(fuel)?, fuel)
             }
             Formula::Binary(Operator::Power, a, b) => match normal(b)?.as_integer() {
-                Some(exponent) => self.paid(normal(a)?.power(exponent)?),
+                Some(exponent) => normal(a)?.power(exponent, fuel),
                 None => self.atom(formula, equations, depth),
             },
             Formula::BigO(_) | Formula::LittleO(_) | Formula::Truth(_) | Formula::Infinity => {
@@ -275,12 +284,6 @@ impl Proof<'_> {
             }
             _ => self.atom(formula, equations, depth),
         }
-    }
-
-    /// Takes the size of a result from the store of work.
-    fn paid(&self, fraction: Fraction) -> Result<Fraction, Rejected> {
-        self.spend(fraction.above.0.len() as u64)?;
-        Ok(fraction)
     }
 
     /// An atom: what an equation puts for it, with or without the equations applied to its
@@ -304,60 +307,24 @@ impl Proof<'_> {
         Ok(Fraction::of(Polynomial::term(monomial, Rational::one())))
     }
 
-    /// The number of an atom. Arguments of functions are brought to normal form: where the atom is
-    /// finite so are they, and equal normal forms are equal numbers.
+    /// The number of an atom.
     pub(super) fn atom_number(
         &self,
         formula: &Formula,
         equations: &Equations,
         depth: usize,
     ) -> Result<usize, Rejected> {
-        let written = |part: &Formula| -> Result<Formula, Rejected> {
-            Ok(self.written(&self.normal_with(part, equations, depth)?))
-        };
+        let normal = |part: &Formula| self.normal_with(part, equations, depth);
+        let all = |parts: &[Formula]| parts.iter().map(normal).collect::<Result<_, _>>();
         let atom = match formula {
-            Formula::Factorial(a) => Formula::Factorial(Box::new(written(a)?)),
-            Formula::Binary(operator, a, b) => Formula::binary(*operator, written(a)?, written(b)?),
-            Formula::Call(function, parts) => Formula::Call(
-                *function,
-                parts.iter().map(written).collect::<Result<_, _>>()?,
-            ),
-            Formula::Apply(name, parts) => Formula::Apply(
-                name.clone(),
-                parts.iter().map(written).collect::<Result<_, _>>()?,
-            ),
-            _ => formula.clone(),
+            Formula::Factorial(a) => Atom::Factorial(normal(a)?),
+            Formula::Binary(Operator::Power, a, b) => Atom::Power(normal(a)?, normal(b)?),
+            Formula::Call(function, parts) => Atom::Call(*function, all(parts)?),
+            Formula::Apply(name, parts) => Atom::Apply(name.clone(), all(parts)?),
+            _ => Atom::Other(formula.clone()),
         };
-        Ok(self.atoms.borrow_mut().number(atom))
-    }
-
-    /// A formula for a normal form; used as a key only.
-    fn written(&self, fraction: &Fraction) -> Formula {
-        let mut below = Formula::integer(1);
-        for (factor, exponent) in &fraction.below {
-            let exponent = Formula::integer((*exponent).into());
-            let power = Formula::binary(Operator::Power, self.polynomial(factor), exponent);
-            below = Formula::binary(Operator::Multiply, below, power);
-        }
-        let above = self.polynomial(&fraction.above);
-        match fraction.below.is_empty() {
-            true => above,
-            false => Formula::binary(Operator::Divide, above, below),
-        }
-    }
-
-    fn polynomial(&self, polynomial: &Polynomial) -> Formula {
-        let atoms = self.atoms.borrow();
-        let mut sum = Formula::integer(0);
-        for (monomial, coefficient) in &polynomial.0 {
-            let mut term = Formula::Number(coefficient.clone());
-            for (atom, exponent) in monomial {
-                let exponent = Formula::integer((*exponent).into());
-                let power = Formula::binary(Operator::Power, atoms.list[*atom].clone(), exponent);
-                term = Formula::binary(Operator::Multiply, term, power);
-            }
-            sum = Formula::binary(Operator::Add, sum, term);
-        }
-        sum
+        let mut atoms = self.atoms.borrow_mut();
+        let next = atoms.len();
+        Ok(*atoms.entry(atom).or_insert(next))
     }
 }

@@ -43,8 +43,7 @@ rules! {
     /// `e == t` too, where t is finite.
     Finite "finite" "",
     /// `a < b`, `a <= b` or `a != b`, where the argument (or `b - a` without one) is equal to `b - a`
-    /// as a rational function and positive (or both nonnegative and nonzero), nonnegative, or nonzero
-    /// by its structure; premises are equations, as for `ring`. `a == b` where both `b - a` and `a - b`
+    /// as a rational function and positive, nonnegative or nonzero by its structure; premises are equations, as for `ring`. `a == b` where both `b - a` and `a - b`
     /// are nonnegative.
     Order "order" "",
     /// `a <= b` for integers, where the argument is equal to `b - a + 1` as a rational function and

@@ -183,6 +183,11 @@ impl<'p> Builder<'p> {
         frames.flat_map(|frame| frame.equations.clone()).collect()
     }
 
+    /// Whether an equation is in sight.
+    pub(super) fn has_equations(&self) -> bool {
+        self.frames.iter().any(|frame| !frame.equations.is_empty())
+    }
+
     /// The fact of a step.
     ///
     /// A step that is none gives `undefined inf`, which no rule concludes.

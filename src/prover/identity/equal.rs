@@ -1,5 +1,11 @@
 //! Equations between finite formulas.
+//!
+//! Both sides become rational functions of a few atoms by equations that replace the others: powers
+//! and logarithms are split, and all of Gamma's kin are brought to the least argument that occurs
+//! ([`Equations`]). What then is equal as a rational function is so by the rule `ring`; roots are
+//! raised to their power where the two differ by that only.
 
+use super::atoms::Equations;
 use super::builder::Builder;
 use crate::formula::Formula;
 use crate::kernel::proof::{Fact, Rule, Step};
@@ -11,7 +17,7 @@ impl Builder<'_> {
     }
 
     /// States `a == b` by the equations as well, whose left sides are atoms.
-    pub fn equal_with(&mut self, a: &Formula, b: &Formula, equations: &[Step]) -> Option<Step> {
+    pub fn equal_with(&mut self, a: &Formula, b: &Formula, given: &[Step]) -> Option<Step> {
         let fact = Fact::Same(a.clone(), b.clone());
         if let Some(step) = self.seen(&fact) {
             return Some(step);
@@ -21,7 +27,52 @@ impl Builder<'_> {
         }
         self.finite(a)?;
         self.finite(b)?;
-        self.step(fact, Rule::Ring, equations, &[])
+        if self.field.borrow_mut().same(a, b)
+            && let Some(step) = self.step(fact.clone(), Rule::Ring, &[], &[])
+        {
+            return Some(step);
+        }
+        self.attempt(|builder| builder.equal_by_atoms(a, b, given))
+            .or_else(|| self.attempt(|builder| builder.equal_by_names(a, b, given)))
+    }
+
+    fn equal_by_atoms(&mut self, a: &Formula, b: &Formula, given: &[Step]) -> Option<Step> {
+        let equations = Equations::find(self, &[a, b], given)?;
+        match equations.difference(self, a, b)?.is_zero() {
+            true => self.ring(a, b, &equations.steps()),
+            false => self.equal_by_roots(a, b, &equations),
+        }
+    }
+
+    /// By an equation in sight for a name as well.
+    pub(super) fn equal_by_names(
+        &mut self,
+        a: &Formula,
+        b: &Formula,
+        given: &[Step],
+    ) -> Option<Step> {
+        let steps = self.equations();
+        let named = |step: &Step| matches!(self.fact(*step), Fact::Same(Formula::Name(_), _));
+        let steps: Vec<Step> = steps.into_iter().filter(named).collect();
+        steps
+            .into_iter()
+            .filter(|step| !given.contains(step))
+            .find_map(|step| {
+                let mut given = given.to_vec();
+                given.push(step);
+                self.attempt(|builder| builder.equal_by_atoms(a, b, &given))
+            })
+    }
+
+    /// States `a == b` by the rule `ring`; sides that are written alike need none.
+    pub(super) fn ring(&mut self, a: &Formula, b: &Formula, equations: &[Step]) -> Option<Step> {
+        let rule = match a == b {
+            true => Rule::Chain,
+            false => Rule::Ring,
+        };
+        let premises = if a == b { &[] } else { equations };
+        let fact = Fact::Same(a.clone(), b.clone());
+        self.step(fact, rule, premises, &[])
     }
 
     /// States `a == b`, where b is a with sides of the premises exchanged.
@@ -34,5 +85,13 @@ impl Builder<'_> {
     pub fn chain(&mut self, steps: &[Step], a: &Formula, b: &Formula) -> Option<Step> {
         let fact = Fact::Same(a.clone(), b.clone());
         self.step(fact, Rule::Chain, steps, &[])
+    }
+
+    /// The right side of an equation.
+    pub(super) fn right(&self, step: Step) -> Option<Formula> {
+        match self.fact(step) {
+            Fact::Same(_, right) => Some(right.clone()),
+            _ => None,
+        }
     }
 }

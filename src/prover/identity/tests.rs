@@ -111,3 +111,102 @@ fn rational_identities() {
         "x=1",
     );
 }
+
+#[test]
+fn gamma_shifts() {
+    let kn = "given int k, n; real I\ndomain 2 <= k <= n\n";
+    proves(
+        &format!("{kn}says I*k*gamma(k-1)/gamma(k) == I*k/(k-1)"),
+        "k=2,n=2,I=1",
+    );
+    proves(
+        &format!("{kn}says n!/((k-1)!*(n-k)!) == k*binomial(n, k)"),
+        "k=2,n=3,I=1",
+    );
+    proves(
+        &format!("{kn}says beta(k, n-k+1)*n!/((k-1)!*(n-k)!) == 1"),
+        "k=2,n=3,I=1",
+    );
+    proves(
+        &format!("{kn}says beta(k-1, n-k+1)/beta(k, n-k+1) == n/(k-1)"),
+        "k=2,n=3,I=1",
+    );
+    proves(
+        &format!("{kn}says pochhammer(k, n)*gamma(k) == (n+k-1)!"),
+        "k=2,n=3,I=1",
+    );
+    proves(&format!("{kn}says gamma(4)*k == 3!*k"), "k=2,n=3,I=1");
+    proves(
+        "given int k, n; real I\ndomain 3 <= k <= n\nsays I^2*k^2*n!*beta(k-2, n-k+1)/(n^2*(k-1)!*(n-k)!) - (I*(k/(k-1)))^2 == I^2*k^2*(-k+n+1)/((k-2)*(k-1)^2*n)",
+        "k=3,n=3,I=1",
+    );
+}
+
+#[test]
+fn powers_of_one_base() {
+    let x = "given int k, l, m; real x, r, a, b\ndomain 1 <= l <= m\ndomain k >= 2\ndomain 0 < x < 1\ndomain 0 < r\ndomain 0 < a < b\n";
+    let at = "k=2,l=1,m=2,x=1/2,r=1,a=1,b=2";
+    proves(&format!("{x}says x^(k-1)/x == x^(k-2)"), at);
+    proves(&format!("{x}says (r^2)^(k-1)*2*r == 2*r^(2*k-1)"), at);
+    proves(&format!("{x}says (r^3)^(k-1)*r^(-1)*3 == 3*r^(3*k-4)"), at);
+    proves(
+        &format!("{x}says x^(l-1)*(1-x)^(m-l)/x^l == (1-x)^(m-l+1)/(x*(1-x))"),
+        at,
+    );
+    proves(&format!("{x}says (x*(1-x))^(l-1) == x^l*(1-x)^(l-1)/x"), at);
+    proves(&format!("{x}says x^(k-l)*x^(l-1) == x^(k-1)"), at);
+    proves(
+        &format!("{x}says (1-(r-a)/(b-a))^k*(b-a)^k == ((b-r)/(b-a))^k*(b-a)^k"),
+        at,
+    );
+    proves(&format!("{x}says sqrt(r)^2 == r"), at);
+    proves(&format!("{x}says sqrt(r/a)*sqrt(a) == sqrt(r)"), at);
+    proves(&format!("{x}says 1/((r/a)^(1/3))^3 == a/r"), at);
+    proves(&format!("{x}says (r*a)^(5/2)/r^2 == a^2*(r*a)^(1/2)"), at);
+}
+
+#[test]
+fn logarithms() {
+    let k = "given int k, n; real I\ndomain 2 <= k <= n\n";
+    let at = "k=2,n=3,I=1";
+    proves(
+        &format!("{k}says I*k*(ln(k/n) - ln((k-1)/n)) == I*k*ln(k/(k-1))"),
+        at,
+    );
+    proves(
+        &format!("{k}says 2*ln(sqrt(k/n)) - 2*ln(sqrt((k-1)/n)) == ln(k) - ln(k-1)"),
+        at,
+    );
+    proves(&format!("{k}says 3*ln((k/n)^(1/3)) == ln(k) - ln(n)"), at);
+    proves(&format!("{k}says ln((k-1)/k)^2 == (ln(k) - ln(k-1))^2"), at);
+    proves(&format!("{k}says ln(k^2-1) == ln(k+1) + ln(k-1)"), at);
+    proves(&format!("{k}says ln(1)*k == 0"), at);
+    proves(
+        "given real Va, V\ndomain Va > 0\ndomain V > 0\nsays ln(1 + V/Va) == ln((Va+V)/Va)",
+        "Va=1,V=1",
+    );
+}
+
+#[test]
+fn borders() {
+    script(
+        "given int k; real I\ndomain k >= 1\nsays I/(k-1) + ln(k-1) == I*k/(k-1)+ln(k-1)-I",
+        "k=2,I=1",
+        |builder, a, b| builder.equal_or_split(a, b),
+    );
+    script(
+        "given int l, m; real I\ndomain 1 <= l <= m\nsays l/(m*(m-1)/2 + l - l) == 2*l/(m*(m-1))",
+        "l=1,m=2,I=1",
+        |builder, a, b| builder.equal_or_split(a, b),
+    );
+    script(
+        "given real Va, V\ndomain Va >= 0\ndomain V > 0\nsays Va*ln((Va+V)/Va)/V == (ln(Va+V)-ln(Va))*Va/V",
+        "Va=1,V=1",
+        |builder, a, b| builder.equal_or_split(a, b),
+    );
+    script(
+        "given int k; real r, I\ndomain k >= 1\ndomain 0 <= r <= 1\nsays I*k/(2*r) == I/(r+r)*k",
+        "k=1,r=1,I=1",
+        |builder, a, b| builder.equal_or_split(a, b),
+    );
+}

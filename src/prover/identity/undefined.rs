@@ -61,10 +61,9 @@ impl Builder<'_> {
             if builder.field.borrow_mut().same(e, &zero) {
                 return Some(());
             }
-            builder.squeeze(e, &zero).or_else(|| {
-                let step = builder.equal(e, &zero);
-                step.or_else(|| builder.equal_with_all(e, &zero))
-            })?;
+            builder
+                .squeeze(e, &zero)
+                .or_else(|| builder.equal_by_names(e, &zero, &[]))?;
             Some(())
         })
     }
@@ -77,17 +76,5 @@ impl Builder<'_> {
             let fact = Fact::Same(a.clone(), b.clone());
             builder.step(fact, Rule::Order, &[], &[])
         })
-    }
-
-    /// States `a == b` by any one of the equations in sight whose left side is a name.
-    fn equal_with_all(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
-        let names = self.equations();
-        let names = names
-            .into_iter()
-            .filter(|step| matches!(self.fact(*step), Fact::Same(Formula::Name(_), _)))
-            .collect::<Vec<_>>();
-        names
-            .into_iter()
-            .find_map(|step| self.attempt(|builder| builder.equal_with(a, b, &[step])))
     }
 }

@@ -117,17 +117,17 @@ fn order() {
 
 #[test]
 fn order_is_not_guessed() {
-    no("9: 0 < y | order", "y is not known to be nonzero");
+    no("9: 0 < y | order", "y is not known to be positive");
     no("9: 0 <= k - 2 | order", "nonnegative");
     no(
         "9: 0 < k | order | k - 1 + 2",
         "not equal as rational functions",
     );
-    no("9: 0 < x - y | order", "nonnegative");
-    no("9: 0 < x*y | order", "nonzero");
+    no("9: 0 < x - y | order", "positive");
+    no("9: 0 < x*y | order", "positive");
     no("9: 0 <= x - y | order", "nonnegative");
     no("9: y != 0 | order", "nonzero");
-    no("9: 0 < (x - y)^2 | order", "nonzero");
+    no("9: 0 < (x - y)^2 | order", "positive");
     no("9: 0 <= (x - y)^3 | order", "nonnegative");
     no("9: 0 < x/y | order", "finite");
     no("9: 0 < x + 0*(1/y) | order | x", "finite");
@@ -473,7 +473,7 @@ fn blocks() {
         "{ z real | 5: z < x\n}\n9: z < x | order",
         "z is not declared",
     );
-    no("{ z real | 5: x < 1\n}\n9: x < 1 | order", "nonnegative");
+    no("{ z real | 5: x < 1\n}\n9: x < 1 | order", "positive");
     no(
         "{ z real | 5: x < 1\n}\n9: f(x) == f(x) | chain 5",
         "holds in its block only",
@@ -481,6 +481,6 @@ fn blocks() {
     yes("{ z real | 5: 0 < z\n}\n{ z real | 6: 0 <= z\n9: 0 <= z | order");
     no(
         "{ z real | 5: 0 < z\n}\n{ z real | 6: 0 <= z\n9: 0 < z | order",
-        "nonzero",
+        "positive",
     );
 }

@@ -1,0 +1,144 @@
+//! Cases at the border of the domain, where a divisor vanishes or a logarithm has no value.
+
+use super::builder::Builder;
+use super::form::integer;
+use super::known::Sign;
+use crate::algebra::{Polynomial, Symbol};
+use crate::formula::{Formula, Function, Operator, Rational};
+use crate::kernel::proof::{Fact, Step};
+
+/// Small integers that a name may be split at.
+const ROOTS: std::ops::RangeInclusive<i64> = -3..=6;
+/// Splits within splits.
+const SPLITS: usize = 2;
+
+impl Builder<'_> {
+    /// States `a == b`, finite or not: where a side may lack its value on the border of the domain,
+    /// by cases, both being without one there.
+    pub fn equal_or_split(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
+        let fact = Fact::Same(a.clone(), b.clone());
+        self.by_cases(&fact, SPLITS, &mut |builder| {
+            let found = builder.attempt(|builder| builder.equal(a, b));
+            found.or_else(|| builder.attempt(|builder| builder.both_undefined(a, b)))
+        })
+    }
+
+    /// Proves a fact, and where that fails, by cases at the borders of its sides.
+    pub fn by_cases(
+        &mut self,
+        fact: &Fact,
+        splits: usize,
+        prove: &mut dyn FnMut(&mut Self) -> Option<Step>,
+    ) -> Option<Step> {
+        if let Some(step) = prove(self) {
+            return Some(step);
+        }
+        if splits == 0 {
+            return None;
+        }
+        let sides: Vec<Formula> = fact.sides().into_iter().cloned().collect();
+        let mut conditions: Vec<Fact> = Vec::new();
+        for side in &sides {
+            for condition in self.borders(side) {
+                if !conditions.contains(&condition) {
+                    conditions.push(condition);
+                }
+            }
+        }
+        conditions.into_iter().find_map(|condition| {
+            self.cases(fact, &condition, |builder, _| {
+                builder.by_cases(fact, splits - 1, prove)
+            })
+        })
+    }
+
+    /// Conditions `t <= c` that hold on the border of the domain, where a part of the formula is not
+    /// known to have a value.
+    pub fn borders(&mut self, e: &Formula) -> Vec<Fact> {
+        let mut found = Vec::new();
+        self.borders_into(e, &mut found);
+        found
+    }
+
+    fn borders_into(&mut self, e: &Formula, found: &mut Vec<Fact>) {
+        let suspect = match e {
+            Formula::Binary(Operator::Divide, _, b) => Some((&**b, Sign::Nonzero)),
+            Formula::Binary(Operator::Power, a, _) => Some((&**a, Sign::Nonzero)),
+            Formula::Call(Function::Ln | Function::Gamma, parts) => {
+                parts.first().map(|a| (a, Sign::Positive))
+            }
+            _ => None,
+        };
+        match e {
+            Formula::Negate(a) | Formula::Factorial(a) => self.borders_into(a, found),
+            Formula::Binary(_, a, b) => {
+                self.borders_into(a, found);
+                self.borders_into(b, found);
+            }
+            Formula::Call(_, parts) => {
+                for part in parts {
+                    self.borders_into(part, found);
+                }
+            }
+            _ => {}
+        }
+        if let Some((part, sign)) = suspect
+            && self.attempt(|builder| builder.finite(part)).is_some()
+            && self.attempt(|builder| builder.signed(part, sign)).is_none()
+        {
+            for condition in self.splits_at(part) {
+                if !found.contains(&condition) {
+                    found.push(condition);
+                }
+            }
+        }
+    }
+
+    /// Conditions that may make a formula 0 in their one case and not in the other.
+    fn splits_at(&mut self, e: &Formula) -> Vec<Fact> {
+        let Some(normal) = self.field.borrow_mut().normal(e) else {
+            return Vec::new();
+        };
+        let factors = {
+            let field = self.field.borrow();
+            normal.factored(&field.budget)
+        };
+        let Ok((_, factors)) = factors else {
+            return Vec::new();
+        };
+        let mut all = Vec::new();
+        for factor in factors.into_keys() {
+            for symbol in factor.symbols() {
+                all.extend(self.root_of(&factor, &symbol));
+            }
+        }
+        all
+    }
+
+    /// `name <= root` for a name in which the factor is linear, or that has a small integer root.
+    fn root_of(&mut self, factor: &Polynomial, symbol: &Symbol) -> Option<Fact> {
+        if symbol.starts_with('@') {
+            return None;
+        }
+        let name = Formula::Name(symbol.clone());
+        for root in ROOTS {
+            let at = Polynomial::integer(root);
+            let value = factor.substitute(symbol, &at, &self.field.borrow().budget);
+            if value.is_ok_and(|value| value.is_zero()) {
+                let root = Formula::Number(Rational::from_integer(root.into()));
+                return Some(Fact::AtMost(name, root));
+            }
+        }
+        // A factor `c*name + rest`: the difference itself is split.
+        let written = self.field.borrow().write_polynomial(factor);
+        let nonnegative = self
+            .attempt(|b| b.signed(&written, Sign::Nonnegative))
+            .is_some();
+        if nonnegative {
+            return Some(Fact::AtMost(written, integer(0)));
+        }
+        let opposite = self.field.borrow().write_polynomial(&factor.neg());
+        self.attempt(|b| b.signed(&opposite, Sign::Nonnegative))?;
+        Some(Fact::AtMost(opposite, integer(0)))
+    }
+}

@@ -1,0 +1,119 @@
+//! The top: every link of a statement, by the cheapest way that proves it.
+
+use super::Builder;
+use super::evaluate::{Context, evaluate};
+use super::matching::{same, unified};
+use super::unfold::{undefined, unfolded};
+use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
+use crate::kernel::proof::{Fact, Script, Step};
+
+/// Cases within cases.
+const SPLITS: usize = 2;
+
+/// A certificate for the links of the proposition that the tactics prove, with the first of the
+/// examples that shows something.
+pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
+    let mut b = Builder::new(proposition);
+    let mut cx = Context::default();
+    let mut proved = Vec::new();
+    let mut at = 0;
+    chains(&proposition.statement, &mut |first, links| {
+        let mut left = first;
+        for (relation, right) in links {
+            if *relation == Relation::Equal
+                && let Some(step) = link(&mut b, &mut cx, (first, left, right))
+            {
+                proved.push((at, step));
+            }
+            at += 1;
+            left = right;
+        }
+    });
+    if proved.is_empty() {
+        return None;
+    }
+    let scripts = examples.iter();
+    let mut scripts = scripts.map(|example| b.clone().script(proved.clone(), example.clone()));
+    scripts.find_map(|script| script)
+}
+
+type Links = [(Relation, Formula)];
+
+/// The chains of a statement, in order.
+fn chains<'a>(statement: &'a Statement, each: &mut dyn FnMut(&'a Formula, &'a Links)) {
+    match statement {
+        Statement::Chain { first, links, .. } => each(first, links),
+        Statement::All(parts) => parts.iter().for_each(|part| chains(part, each)),
+        _ => {}
+    }
+}
+
+/// `left == right`, or by way of the chain's first formula.
+fn link(
+    b: &mut Builder,
+    cx: &mut Context,
+    (first, left, right): (&Formula, &Formula, &Formula),
+) -> Option<Step> {
+    if let Some(step) = b.attempt(|b| equation(b, cx, left, right)) {
+        return Some(step);
+    }
+    if first == left {
+        return None;
+    }
+    b.attempt(|b| {
+        let whole = equation(b, cx, first, right)?;
+        let before = equation(b, cx, first, left)?;
+        b.chain(&[before, whole], left, right)
+    })
+}
+
+/// `x == y`, where needed by cases at the border of the domain.
+fn equation(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let fact = Fact::Same(x.clone(), y.clone());
+    b.by_cases(&fact, SPLITS, &mut |b| {
+        let outside = std::mem::take(&mut cx.known);
+        cx.known = known(b);
+        let found = direct(b, cx, x, y);
+        cx.known = outside;
+        found
+    })
+}
+
+/// Names that the case gives a value.
+fn known(b: &mut Builder) -> Vec<(Name, Formula, Step)> {
+    let facts: Vec<Fact> = b.relations().map(|relation| relation.fact.clone()).collect();
+    let mut known: Vec<(Name, Formula, Step)> = Vec::new();
+    for fact in facts {
+        if let Fact::AtMost(Formula::Name(name), value @ Formula::Number(_)) = &fact
+            && known.iter().all(|(other, ..)| other != name)
+            && let Some(step) = b.squeeze(&Formula::Name(name.clone()), value)
+        {
+            known.push((name.clone(), value.clone(), step));
+        }
+    }
+    known
+}
+
+/// `x == y` without cases.
+fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
+    let ways: [Way; 4] = [same, by_definition, by_value, undefined];
+    ways.into_iter().find_map(|way| b.attempt(|b| way(b, cx, x, y)))
+}
+
+/// Both sides with means, variances and densities unfolded, then compared part by part.
+fn by_definition(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let (u, first) = unfolded(b, cx, x)?;
+    let (v, last) = unfolded(b, cx, y)?;
+    let middle = same(b, cx, &u, &v)?;
+    b.chain(&[first, middle, last], x, y)
+}
+
+/// Both sides evaluated, then compared part by part.
+fn by_value(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let (u, first) = evaluate(b, cx, x)?;
+    let (v, second) = evaluate(b, cx, y)?;
+    let (w, third) = unified(b, cx, &u, &v)?;
+    let middle = same(b, cx, &u, &w)?;
+    b.chain(&[first, middle, third, second], x, y)
+}

@@ -1,0 +1,70 @@
+//! Means, variances and densities as what their definitions make of them, integrals not evaluated.
+
+use super::Builder;
+use super::evaluate::{Context, Value};
+use super::matching::map_quantities;
+use super::{indicator, law};
+use crate::formula::{Formula, RangeKind};
+use crate::kernel::proof::{Fact, Rule, Step};
+
+/// The formula with its means, variances and densities unfolded.
+pub(super) fn unfolded(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
+    let mut steps = Vec::new();
+    let found = map_quantities(e, &mut |q| match b.attempt(|b| quantity(b, cx, q)) {
+        Some((found, step)) => {
+            steps.push(step);
+            found
+        }
+        None => q.clone(),
+    });
+    let step = b.congruent(e, &found, &steps)?;
+    Some((found, step))
+}
+
+fn quantity(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Value> {
+    let (next, first) = match q {
+        Formula::Mean(_, None) | Formula::Variance(_, None) => law::own_draw(b, q)?,
+        Formula::Mean(_, Some(_)) => law::by_density(b, cx, q)?,
+        Formula::Density(..) => return law::by_density(b, cx, q),
+        Formula::Variance(_, Some(_)) => law::by_moments(b, q)?,
+        Formula::Ranged(r) if r.kind == RangeKind::Integral => indicator::narrowed(b, r)?,
+        _ => return None,
+    };
+    let (found, second) = unfolded(b, cx, &next)?;
+    let step = b.chain(&[first, second], q, &found)?;
+    Some((found, step))
+}
+
+/// States that neither formula has a value: a variance has none where the mean is infinite.
+pub(super) fn undefined(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let (u, first) = without(b, cx, x)?;
+    let (v, last) = without(b, cx, y)?;
+    let middle = b.step(Fact::Same(u.clone(), v.clone()), Rule::None, &[], &[])?;
+    b.chain(&[first, middle, last], x, y)
+}
+
+/// A formula of the same value that is seen to have none.
+fn without(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
+    let found = b.attempt(|b| {
+        let mut steps: Vec<Step> = Vec::new();
+        let own = map_quantities(e, &mut |q| match law::own_draw(b, q) {
+            Some((next, step)) => {
+                steps.push(step);
+                next
+            }
+            None => q.clone(),
+        });
+        map_quantities(&own, &mut |q| {
+            b.attempt(|b| law::without_variance(b, cx, q));
+            q.clone()
+        });
+        let step = b.congruent(e, &own, &steps)?;
+        b.undefined(&own)?;
+        Some((own, step))
+    });
+    found.or_else(|| {
+        let (found, step) = super::evaluate::evaluate(b, cx, e)?;
+        b.undefined(&found)?;
+        Some((found, step))
+    })
+}
