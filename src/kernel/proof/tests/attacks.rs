@@ -306,7 +306,10 @@ fn what_is_no_number() {
 #[test]
 fn blocks_keep_what_they_suppose() {
     let text = |lines: &str, end: &str| {
-        format!("theorem\ngiven real x\nsays x^2 == x\nexample x = 1\nproof\n{}\nqed {end}", lines.trim())
+        format!(
+            "theorem\ngiven real x\nsays x^2 == x\nexample x = 1\nproof\n{}\nqed {end}",
+            lines.trim()
+        )
     };
     let block = "{ | 1: x == 1\n2: x^2 == x | ring 1\n}\n";
     refused(&text(block, "2"), "outside of all blocks");

@@ -4,6 +4,7 @@
 //! last line is what is tested: all lines before it must be accepted.
 
 mod attacks;
+mod certificates;
 mod fuzz;
 mod integrals;
 mod logic;
