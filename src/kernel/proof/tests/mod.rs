@@ -3,6 +3,9 @@
 //! A case is a scope (the lines of a proposition without its `says`) and the lines of a proof. The
 //! last line is what is tested: all lines before it must be accepted.
 
+mod attacks;
+mod certificates;
+mod fuzz;
 mod integrals;
 mod logic;
 mod special;
