@@ -153,25 +153,6 @@ impl Fraction {
         Ok(Fraction { numerator, poles })
     }
 
-    /// f(1/t)/t^2: the substitution x = 1/t takes an integral over c..inf to one over 0..1/c.
-    pub fn inverted(&self) -> Result<Fraction, Unknown> {
-        // x^n = t^n/t^(2n), and 1/t - r = -r*(t - 1/r)/t for r other than 0.
-        let mut coefficients = self.numerator.coefficients().to_vec();
-        coefficients.reverse();
-        let mut result = Fraction::from(Polynomial::new(coefficients));
-        let above: u32 = self.poles.values().sum();
-        for (root, &multiplicity) in self.poles.iter().filter(|(root, _)| !root.is_zero()) {
-            let scale = Interval::exact(-root).reciprocal()?.power(multiplicity);
-            result.numerator = result.numerator.scaled(&scale);
-            result.poles.insert(root.recip(), multiplicity);
-        }
-        let zero = Polynomial::linear(&Rational::zero());
-        result.numerator = result.numerator.times(&zero.power(above)?)?;
-        let below = self.numerator.length() as u32 + 1;
-        result.poles.insert(Rational::zero(), below);
-        Ok(result)
-    }
-
     /// The rational numbers at which the function may change its sign, or the one enclosed root of
     /// a linear numerator.
     pub fn sign_changes(&self) -> Result<Vec<Interval>, Unknown> {

@@ -7,10 +7,10 @@
 use super::condition::{allows, holds, pairs, relate};
 use super::fraction::Fraction;
 use super::polynomial::Polynomial;
-use super::quantity::{Quantity, Value, as_value};
+use super::quantity::{Value, as_value};
 use super::scope::{Scope, full_tank};
 use super::value::{evaluate, finite};
-use super::{Found, Gap, Unknown, known, law, unknown};
+use super::{Gap, Unknown, known, law, unknown};
 use crate::formula::{
     Condition, Duty, Formula, FunctionKind, Law, Name, Operator, Parameter, ParameterKind, Part,
     Point, Proposition, RangeKind, Ranged, Rational, Regime, Relation, Statement,
@@ -71,26 +71,7 @@ impl Refutation {
 }
 
 /// A relation that a statement claims at every point.
-struct Link {
-    left: Formula,
-    relation: Relation,
-    right: Formula,
-}
-
-impl Link {
-    fn new(left: Formula, relation: Relation, right: Formula) -> Link {
-        Link {
-            left,
-            relation,
-            right,
-        }
-    }
-
-    /// The values of the two sides.
-    fn sides(&self, scope: &Scope) -> [Found<Quantity>; 2] {
-        [evaluate(&self.left, scope), evaluate(&self.right, scope)]
-    }
-}
+type Link = (Formula, Relation, Formula);
 
 /// One thing that a statement says.
 enum Item<'a> {
@@ -173,14 +154,12 @@ fn items(statement: &Statement) -> Vec<Item<'_>> {
             links,
             regime,
         } => {
-            let link = |(left, relation, right): (&Formula, Relation, &Formula)| match is_expansion(
-                left,
-                relation,
-                right,
-                regime.as_ref(),
-            ) {
-                true => Item::Expansion,
-                false => Item::Link(Link::new(left.clone(), relation, right.clone())),
+            let link = |(left, relation, right): (&Formula, Relation, &Formula)| {
+                let link = (left.clone(), relation, right.clone());
+                match is_expansion(&link, regime.as_ref()) {
+                    true => Item::Expansion,
+                    false => Item::Link(link),
+                }
             };
             pairs(first, links).map(link).collect()
         }
@@ -198,12 +177,7 @@ fn items(statement: &Statement) -> Vec<Item<'_>> {
     }
 }
 
-fn is_expansion(
-    left: &Formula,
-    relation: Relation,
-    right: &Formula,
-    regime: Option<&Regime>,
-) -> bool {
+fn is_expansion((left, relation, right): &Link, regime: Option<&Regime>) -> bool {
     matches!(relation, Relation::Asymptotic | Relation::Approximate)
         || has_order_term(Part::Formula(left))
         || has_order_term(Part::Formula(right))
@@ -292,15 +266,15 @@ fn check_function(parameter: &Parameter, scope: &Scope) -> Result<(), Unknown> {
 }
 
 /// The refutation of a link; `None` where it is proved to hold or neither side has a value.
-fn failure(link: &Link, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
-    let sides = link.sides(scope);
+fn failure((left, relation, right): &Link, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
+    let sides = [evaluate(left, scope), evaluate(right, scope)];
     let because = match &sides {
         [Err(Gap::Unknown(why)), _] | [_, Err(Gap::Unknown(why))] => return Err(why.clone()),
         [Err(Gap::Undefined), Err(Gap::Undefined)] => return Ok(None),
         [Err(Gap::Undefined), _] | [_, Err(Gap::Undefined)] => Because::Undefined,
         [Ok(left), Ok(right)] => {
             let ordering = left.compare(right)?;
-            match allows(link.relation, ordering)? {
+            match allows(*relation, ordering)? {
                 true => return Ok(None),
                 false if ordering.is_eq() => Because::Equal,
                 false => Because::Disjoint,
@@ -316,10 +290,11 @@ fn failure(link: &Link, scope: &Scope) -> Result<Option<Refutation>, Unknown> {
 }
 
 /// Both sides have a value, and the relation between them is not seen to fail.
-fn agreement(link: &Link, scope: &Scope) -> Result<(), Unknown> {
+fn agreement((left, relation, right): &Link, scope: &Scope) -> Result<(), Unknown> {
     let missing = "a side without value";
-    let [left, right] = link.sides(scope).map(|side| known(side, missing));
-    match relate(&left?, link.relation, &right?, scope) {
+    let left = known(evaluate(left, scope), missing)?;
+    let right = known(evaluate(right, scope), missing)?;
+    match relate(&left, *relation, &right, scope) {
         Ok(false) => unknown("the two sides contradict the relation"),
         _ => Ok(()),
     }
@@ -372,7 +347,7 @@ fn relations(name: &Name, body: &Formula, duty: &Duty, from: &Formula, to: &Form
     };
     let mut links = Vec::new();
     if let Duty::Density(..) = duty {
-        links.extend((0..=PLACES).map(|i| Link::new(at(i), Relation::GreaterEqual, integer(0))));
+        links.extend((0..=PLACES).map(|i| (at(i), Relation::GreaterEqual, integer(0))));
         let total = Formula::Ranged(Box::new(Ranged {
             kind: RangeKind::Integral,
             body: body.clone(),
@@ -380,11 +355,11 @@ fn relations(name: &Name, body: &Formula, duty: &Duty, from: &Formula, to: &Form
             from: from.clone(),
             to: to.clone(),
         }));
-        links.push(Link::new(total, Relation::Equal, integer(1)));
+        links.push((total, Relation::Equal, integer(1)));
     } else {
-        links.extend((0..PLACES).map(|i| Link::new(at(i), Relation::LessEqual, at(i + 1))));
-        links.push(Link::new(at(0), Relation::Equal, integer(0)));
-        links.push(Link::new(at(PLACES), Relation::Equal, integer(1)));
+        links.extend((0..PLACES).map(|i| (at(i), Relation::LessEqual, at(i + 1))));
+        links.push((at(0), Relation::Equal, integer(0)));
+        links.push((at(PLACES), Relation::Equal, integer(1)));
     }
     links
 }
