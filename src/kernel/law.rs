@@ -11,7 +11,7 @@ use super::polynomial::Polynomial;
 use super::quantity::Quantity;
 use super::scope::Scope;
 use super::value::{evaluate, finite, number};
-use super::{Found, Gap, Unknown, unknown};
+use super::{Found, Gap, Unknown, known, unknown};
 use crate::formula::{Condition, Draw, Formula, Law, Name, Operator, Part, Rational, Relation};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -110,8 +110,8 @@ fn density_law(
     scope: &Scope,
 ) -> Result<Weight, Unknown> {
     let refused = "a density not proved to be one";
-    let settle = |found| super::known(found, refused);
-    let body = super::known(finite(body, &scope.with_variable(argument)), refused)?;
+    let settle = |found| known(found, refused);
+    let body = known(finite(body, &scope.with_variable(argument)), refused)?;
     let Some(density) = body.as_polynomial().cloned() else {
         return unknown(refused);
     };
@@ -217,12 +217,12 @@ pub(super) fn density_at(drawn: &Formula, place: &Formula, scope: &Scope) -> Fou
     Ok(weight.density.at(&place).into())
 }
 
-/// The probability that a random quantity is at most a number.
+/// The probability that a random quantity is at most a number. Neither may lack a value: the
+/// relation would then be false, and the probability 0.
 pub(super) fn cumulative_at(quantity: &Formula, place: &Formula, scope: &Scope) -> Found<Quantity> {
-    let random = |draw: &Draw| scope.occurs(&draw.name, Part::Formula(place));
-    if scope.draws.iter().any(random) {
-        return unknown("a cdf at a random place");
-    }
+    number(place, scope)?;
+    let nothing = Formula::binary(Operator::Multiply, Formula::integer(0), quantity.clone());
+    known(mean(&nothing, None, scope), "the cdf of what has no value")?;
     let links = vec![(Relation::LessEqual, place.clone())];
     probability(&Condition::Chain(quantity.clone(), links), None, scope)
 }

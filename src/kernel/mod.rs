@@ -26,6 +26,8 @@ mod law;
 mod polynomial;
 mod quantity;
 mod scope;
+#[cfg(test)]
+mod tests;
 mod value;
 mod witness;
 
