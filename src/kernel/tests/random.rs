@@ -197,3 +197,20 @@ fn densities_and_distributions_of_draws() {
         assert!(found.is_err() || found == Ok(Value::Undefined), "{text}");
     }
 }
+
+/// The limit of a mean over Beta laws, finite and infinite, and what moves besides the law.
+#[test]
+fn limits_of_means() {
+    let draws = [draw("x", "beta(l, 1)"), draw("y", "beta(l, 2)")];
+    let limit = |body: &str| at(&format!("lim(mean({body}), l -> 2)"), &[], &draws, 64);
+    assert_eq!(limit("x"), exact(2, 3));
+    assert_eq!(limit("1/x^2"), Ok(Value::PlusInfinity));
+    assert_eq!(limit("-1/x^2"), Ok(Value::MinusInfinity));
+    assert_eq!(
+        limit("1/(x + 1)").map(|v| enclosure(&v).is_positive()),
+        Ok(true)
+    );
+    for body in ["1/x", "x*l", "x*mean(y)", "x/x", "abs(x - 1/2)"] {
+        assert!(limit(body).is_err(), "{body}");
+    }
+}
