@@ -264,4 +264,76 @@ mod tests {
             Err(Gap::Undefined)
         );
     }
+
+    /// (x - a)/(x - b)
+    fn quotient(a: i64, b: i64) -> Fraction {
+        let below = Fraction::from(polynomial(&[-b, 1])).reciprocal().unwrap();
+        below.times(&polynomial(&[-a, 1]).into()).unwrap()
+    }
+
+    #[test]
+    fn operations_are_those_of_the_values() {
+        let (f, g) = (
+            quotient(1, 2),
+            quotient(3, 2).times(&quotient(0, 5)).unwrap(),
+        );
+        // At 7: f = 6/5 and g = 4/5*7/2 = 14/5.
+        let at = |f: &Fraction| f.at(&ratio(7, 1)).unwrap().as_exact().cloned();
+        for (found, known) in [
+            (f.plus(&g), ratio(4, 1)),
+            (g.plus(&f.negated()), ratio(8, 5)),
+            (f.times(&g), ratio(84, 25)),
+            (f.power(3), ratio(216, 125)),
+            (f.power(0), ratio(1, 1)),
+            (polynomial(&[1, 0, 2]).of(&f), ratio(97, 25)),
+            (f.times(&f).unwrap().plus(&f), ratio(66, 25)),
+        ] {
+            assert_eq!(at(&found.unwrap()), Some(known));
+        }
+        assert_eq!(at(&f.reciprocal().unwrap()), Some(ratio(5, 6)));
+        assert!(f.at(&ratio(2, 1)).is_err());
+        assert!(quotient(1, 2).power(1_000_000).is_err());
+    }
+
+    #[test]
+    fn numbers_are_fractions_without_variable() {
+        assert_eq!(
+            Fraction::from(Interval::integer(3)).as_number(),
+            Some(Interval::integer(3))
+        );
+        assert_eq!(
+            Fraction::from(polynomial(&[])).as_number(),
+            Some(Interval::integer(0))
+        );
+        for varying in [Fraction::variable(), quotient(1, 2), quotient(2, 2)] {
+            assert_eq!(varying.as_number(), None);
+        }
+        assert!(Fraction::variable().as_polynomial().is_some());
+        assert!(quotient(2, 2).as_polynomial().is_none());
+    }
+
+    #[test]
+    fn signs_change_at_zeros_and_poles() {
+        let found = |f: &Fraction| {
+            let mut found = f.sign_changes().unwrap();
+            found.sort_by(|a, b| a.low().cmp(b.low()));
+            found
+        };
+        let places = |places: &[i64]| {
+            places
+                .iter()
+                .map(|&n| Interval::integer(n))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(found(&quotient(1, 2)), places(&[1, 2]));
+        assert_eq!(found(&polynomial(&[-4, 0, 1]).into()), places(&[-2, 2]));
+        assert_eq!(found(&polynomial(&[0, 0, 2]).into()), places(&[0]));
+        assert_eq!(found(&polynomial(&[-8, 12, -6, 1]).into()), places(&[2]));
+        assert_eq!(found(&polynomial(&[5]).into()), places(&[]));
+        assert!(
+            Fraction::from(polynomial(&[-2, 0, 1]))
+                .sign_changes()
+                .is_err()
+        );
+    }
 }

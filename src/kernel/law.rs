@@ -150,14 +150,11 @@ pub(super) fn mean(body: &Formula, own: Option<&Draw>, scope: &Scope) -> Found<Q
 }
 
 /// The draw that a mean is over, if any, and the scope of its body.
-pub(super) fn draw_of<'a, 'd>(
+pub(super) fn draw_of<'a>(
     body: &Formula,
-    own: Option<&'d Draw>,
+    own: Option<&'a Draw>,
     scope: &Scope<'a>,
-) -> Result<Option<(&'d Draw, Scope<'a>)>, Unknown>
-where
-    'a: 'd,
-{
+) -> Result<Option<(&'a Draw, Scope<'a>)>, Unknown> {
     if let Some(draw) = own {
         // The draw hides a parameter of its name from the body, not from its own law.
         return match scope.draw(&draw.name) {

@@ -179,3 +179,53 @@ fn the_limit_2_62_lacks_a_condition() {
     assert_eq!(at("1"), Ok(Because::Undefined));
     assert!(at("2").is_err());
 }
+
+/// Two bits more or a hundred: each rung of the ladder is tried, and there is a last one.
+#[test]
+fn close_values_are_told_apart_by_more_bits() {
+    for (bits, told) in [(10, true), (100, true), (600, true), (3000, false)] {
+        let text = format!("says sqrt(2) == sqrt(2) + 1/2^{bits}");
+        let known = told.then_some(Because::Disjoint);
+        assert_eq!(check(&text, &[], 0).ok(), known, "{bits}");
+    }
+}
+
+#[test]
+fn names_are_declared_once_and_given_once() {
+    let at = |text: &str, numbers: &[(&str, &str)]| check(text, numbers, 0).is_ok();
+    assert!(at("given real a\nsays a == a + 1", &[("a", "1/2")]));
+    assert!(!at("given real a\nsays a == a + 1", &[("b", "1/2")]));
+    assert!(!at("given int a\nsays a == a + 1", &[("a", "1/2")]));
+    let twice = parse_proposition("given real a\nsays a == a + 1").unwrap();
+    let mut proposition = twice.clone();
+    proposition.parameters.push(twice.parameters[0].clone());
+    let point = point(&[("a", "1")]);
+    let witness = |point| Witness { point, link: 0 };
+    assert!(check_witness(&twice, &witness(point.clone())).is_ok());
+    assert!(check_witness(&proposition, &witness(point.clone())).is_err());
+    let mut proposition = twice.clone();
+    proposition.draws.push(draw("a", "uniform(0, 1)"));
+    assert!(check_witness(&proposition, &witness(point.clone())).is_err());
+    let mut more = point;
+    let body = parse_formula("x").unwrap();
+    more.functions.insert("f".into(), ("x".into(), body));
+    assert!(check_witness(&twice, &witness(more)).is_err());
+}
+
+#[test]
+fn a_refutation_shows_both_values() {
+    let proposition = parse_proposition("says 1/2 == 1/0 and 1/3 > 1").unwrap();
+    let refutation = |link| {
+        let point = Point::default();
+        check_witness(&proposition, &Witness { point, link }).unwrap()
+    };
+    let first = refutation(0);
+    assert_eq!(first.because(), Because::Undefined);
+    assert_eq!(
+        (Ok(first.left().clone()), first.right()),
+        (exact(1, 2), &Value::Undefined)
+    );
+    let second = refutation(1);
+    assert_eq!(second.because(), Because::Disjoint);
+    assert_eq!(Ok(second.left().clone()), exact(1, 3));
+}
