@@ -11,7 +11,8 @@ use super::scope::Scope;
 use super::value::{evaluate, finite, number};
 use super::{Found, Unknown, known, unknown};
 use crate::formula::{
-    Draw, Formula, Function, Law, Name, Operator, Part, RangeKind, Substitution, free_names,
+    Draw, Formula, Function, Law, Name, Operator, Part, RangeKind, Rational, Substitution,
+    free_names,
 };
 use num_traits::ToPrimitive;
 
@@ -66,7 +67,8 @@ pub(super) fn limit(f: &Formula, places: &[(Name, Formula)], scope: &Scope) -> F
         && !places.iter().any(|place| moves(place, body))
     {
         // The parameters tend to those at the target.
-        (number(a, &around)?, number(b, &around)?);
+        number(a, &around)?;
+        number(b, &around)?;
         return Ok(limit_of_mean(body, own.as_deref(), &target)?);
     }
     finite(f, &around)?;
@@ -101,10 +103,14 @@ pub(super) fn derive(f: &Formula, x: &Name) -> Result<Formula, Unknown> {
     }
     match f {
         Formula::Name(_) => Ok(Formula::integer(1)),
-        Formula::Negate(a) => Ok(negated(derive(a, x)?)),
+        Formula::Negate(a) => Ok(Formula::Negate(Box::new(derive(a, x)?))),
         Formula::Binary(operator, a, b) => derive_binary(*operator, a, b, x),
         Formula::Call(function, parts) => match parts.as_slice() {
-            [a] => Ok(product(derive_call(*function, a)?, derive(a, x)?)),
+            [a] => Ok(binary(
+                Operator::Multiply,
+                derive_call(*function, a)?,
+                derive(a, x)?,
+            )),
             _ => unknown("a derivative of a function without a rule"),
         },
         Formula::Ranged(r) if r.kind == RangeKind::Integral && r.name != *x => {
@@ -115,9 +121,9 @@ pub(super) fn derive(f: &Formula, x: &Name) -> Result<Formula, Unknown> {
             let end = |place: &Formula| {
                 let there = vec![(r.name.clone(), place.clone())];
                 let value = Formula::At(Box::new(r.body.clone()), there);
-                Ok(product(value, derive(place, x)?))
+                Ok(binary(Operator::Multiply, value, derive(place, x)?))
             };
-            Ok(sum(end(&r.to)?, negated(end(&r.from)?)))
+            Ok(binary(Operator::Subtract, end(&r.to)?, end(&r.from)?))
         }
         _ => unknown("a derivative of a formula without a rule"),
     }
@@ -129,41 +135,45 @@ fn derive_binary(
     b: &Formula,
     x: &Name,
 ) -> Result<Formula, Unknown> {
+    use Operator::{Add, Divide, Multiply, Power, Subtract};
     let (da, db) = (derive(a, x)?, derive(b, x)?);
     let (a, b) = (a.clone(), b.clone());
     Ok(match operator {
-        Operator::Add => sum(da, db),
-        Operator::Subtract => sum(da, negated(db)),
-        Operator::Multiply => sum(product(b, da), product(a, db)),
-        Operator::Divide => {
-            let above = sum(product(b.clone(), da), negated(product(a, db)));
-            quotient(above, power(b, Formula::integer(2)))
+        Add | Subtract => binary(operator, da, db),
+        Multiply => binary(Add, binary(Multiply, b, da), binary(Multiply, a, db)),
+        Divide => {
+            let (first, second) = (binary(Multiply, b.clone(), da), binary(Multiply, a, db));
+            let square = binary(Power, b, Formula::integer(2));
+            binary(Divide, binary(Subtract, first, second), square)
         }
-        Operator::Power if db == Formula::integer(0) => {
-            let less = sum(b.clone(), Formula::integer(-1));
-            product(product(b, power(a, less)), da)
+        Power if db == Formula::integer(0) => {
+            let less = binary(Subtract, b.clone(), Formula::integer(1));
+            binary(Multiply, binary(Multiply, b, binary(Power, a, less)), da)
         }
         // (e^(b*ln(a)))', which has a value for a > 0 only.
-        Operator::Power => {
-            let growth = product(quotient(b.clone(), a.clone()), da);
-            let growth = sum(product(call(Function::Ln, &a), db), growth);
-            product(power(a, b), growth)
+        Power => {
+            let logarithm = Formula::Call(Function::Ln, vec![a.clone()]);
+            let growth = binary(Multiply, binary(Divide, b.clone(), a.clone()), da);
+            let growth = binary(Add, binary(Multiply, logarithm, db), growth);
+            binary(Multiply, binary(Power, a, b), growth)
         }
     })
 }
 
 /// The derivative of a function at its argument, DLMF 4.7.1, 4.7.4, 4.20.1 and 4.20.2.
 fn derive_call(function: Function, a: &Formula) -> Result<Formula, Unknown> {
+    let call = |function| Formula::Call(function, vec![a.clone()]);
+    let over = |above, below| Formula::binary(Operator::Divide, above, below);
     Ok(match function {
-        Function::Exp => call(Function::Exp, a),
-        Function::Ln => quotient(Formula::integer(1), a.clone()),
-        Function::Sin => call(Function::Cos, a),
-        Function::Cos => negated(call(Function::Sin, a)),
-        Function::Sqrt => {
-            let half = Formula::Number(num_rational::Ratio::new(1.into(), 2.into()));
-            quotient(half, call(Function::Sqrt, a))
-        }
-        Function::Abs => quotient(call(Function::Abs, a), a.clone()),
+        Function::Exp => call(Function::Exp),
+        Function::Ln => over(Formula::integer(1), a.clone()),
+        Function::Sin => call(Function::Cos),
+        Function::Cos => Formula::Negate(Box::new(call(Function::Sin))),
+        Function::Sqrt => over(
+            Formula::Number(Rational::new(1.into(), 2.into())),
+            call(Function::Sqrt),
+        ),
+        Function::Abs => over(call(Function::Abs), a.clone()),
         _ => return unknown("a derivative of a function without a rule"),
     })
 }
@@ -185,41 +195,19 @@ pub(super) fn is_continuous(f: &Formula) -> bool {
     }
 }
 
-fn sum(a: Formula, b: Formula) -> Formula {
-    let zero = Formula::integer(0);
-    match (a == zero, b == zero) {
-        (true, _) => b,
-        (_, true) => a,
-        _ => Formula::binary(Operator::Add, a, b),
+/// The operation, or what it comes to where one side of a sum or product is 0 or 1.
+fn binary(operator: Operator, a: Formula, b: Formula) -> Formula {
+    let (zero, one) = (Formula::integer(0), Formula::integer(1));
+    match operator {
+        Operator::Add if a == zero => b,
+        Operator::Add | Operator::Subtract if b == zero => a,
+        Operator::Multiply if b == zero || b == one => {
+            if b == one {
+                a
+            } else {
+                b
+            }
+        }
+        _ => Formula::binary(operator, a, b),
     }
-}
-
-/// a*b for a derivative b.
-fn product(a: Formula, b: Formula) -> Formula {
-    if b == Formula::integer(0) {
-        return b;
-    }
-    if b == Formula::integer(1) {
-        return a;
-    }
-    Formula::binary(Operator::Multiply, a, b)
-}
-
-fn quotient(a: Formula, b: Formula) -> Formula {
-    Formula::binary(Operator::Divide, a, b)
-}
-
-fn power(a: Formula, b: Formula) -> Formula {
-    Formula::binary(Operator::Power, a, b)
-}
-
-fn negated(a: Formula) -> Formula {
-    if a == Formula::integer(0) {
-        return a;
-    }
-    Formula::Negate(Box::new(a))
-}
-
-fn call(function: Function, argument: &Formula) -> Formula {
-    Formula::Call(function, vec![argument.clone()])
 }

@@ -5,7 +5,8 @@ use super::quantity::Quantity;
 use super::scope::Scope;
 use super::value::evaluate;
 use super::{Gap, Unknown, unknown};
-use crate::formula::{Condition, Formula, Relation};
+use crate::formula::{Condition, Formula, Rational, Relation};
+use num_traits::Zero;
 use std::cmp::Ordering;
 
 /// Whether a condition holds; of an integral's variable, on the piece of the scope's sample.
@@ -89,20 +90,16 @@ pub(super) fn at_sample(value: &Quantity, scope: &Scope) -> Result<Interval, Unk
 /// Whether a relation holds of two numbers, given their difference: where all orders that it leaves
 /// open are alike.
 fn allowed(relation: Relation, difference: &Interval) -> Result<bool, Unknown> {
-    let (low, high) = (difference.low(), difference.high());
-    let zero = Interval::integer(0);
-    let mut open = Vec::new();
-    if low < zero.low() {
-        open.push(allows(relation, Ordering::Less)?);
+    let zero = Rational::zero();
+    let (low, high) = (difference.low().cmp(&zero), difference.high().cmp(&zero));
+    let mut answers = Vec::new();
+    for ordering in [Ordering::Less, Ordering::Equal, Ordering::Greater] {
+        if low <= ordering && ordering <= high {
+            answers.push(allows(relation, ordering)?);
+        }
     }
-    if low <= zero.low() && zero.high() <= high {
-        open.push(allows(relation, Ordering::Equal)?);
-    }
-    if high > zero.high() {
-        open.push(allows(relation, Ordering::Greater)?);
-    }
-    open.dedup();
-    match open[..] {
+    answers.dedup();
+    match answers[..] {
         [settled] => Ok(settled),
         _ => unknown("a relation is not settled at these bits"),
     }

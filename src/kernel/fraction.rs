@@ -153,25 +153,6 @@ impl Fraction {
         Ok(Fraction { numerator, poles })
     }
 
-    /// f(1/t)/t^2: the substitution x = 1/t takes an integral over c..inf to one over 0..1/c.
-    pub fn inverted(&self) -> Result<Fraction, Unknown> {
-        // x^n = t^n/t^(2n), and 1/t - r = -r*(t - 1/r)/t for r other than 0.
-        let mut coefficients = self.numerator.coefficients().to_vec();
-        coefficients.reverse();
-        let mut result = Fraction::from(Polynomial::new(coefficients));
-        let above: u32 = self.poles.values().sum();
-        for (root, &multiplicity) in self.poles.iter().filter(|(root, _)| !root.is_zero()) {
-            let scale = Interval::exact(-root).reciprocal()?.power(multiplicity);
-            result.numerator = result.numerator.scaled(&scale);
-            result.poles.insert(root.recip(), multiplicity);
-        }
-        let zero = Polynomial::linear(&Rational::zero());
-        result.numerator = result.numerator.times(&zero.power(above)?)?;
-        let below = self.numerator.length() as u32 + 1;
-        result.poles.insert(Rational::zero(), below);
-        Ok(result)
-    }
-
     /// The rational numbers at which the function may change its sign, or the one enclosed root of
     /// a linear numerator.
     pub fn sign_changes(&self) -> Result<Vec<Interval>, Unknown> {
@@ -281,6 +262,78 @@ mod tests {
         assert_eq!(
             Fraction::from(polynomial(&[])).reciprocal(),
             Err(Gap::Undefined)
+        );
+    }
+
+    /// (x - a)/(x - b)
+    fn quotient(a: i64, b: i64) -> Fraction {
+        let below = Fraction::from(polynomial(&[-b, 1])).reciprocal().unwrap();
+        below.times(&polynomial(&[-a, 1]).into()).unwrap()
+    }
+
+    #[test]
+    fn operations_are_those_of_the_values() {
+        let (f, g) = (
+            quotient(1, 2),
+            quotient(3, 2).times(&quotient(0, 5)).unwrap(),
+        );
+        // At 7: f = 6/5 and g = 4/5*7/2 = 14/5.
+        let at = |f: &Fraction| f.at(&ratio(7, 1)).unwrap().as_exact().cloned();
+        for (found, known) in [
+            (f.plus(&g), ratio(4, 1)),
+            (g.plus(&f.negated()), ratio(8, 5)),
+            (f.times(&g), ratio(84, 25)),
+            (f.power(3), ratio(216, 125)),
+            (f.power(0), ratio(1, 1)),
+            (polynomial(&[1, 0, 2]).of(&f), ratio(97, 25)),
+            (f.times(&f).unwrap().plus(&f), ratio(66, 25)),
+        ] {
+            assert_eq!(at(&found.unwrap()), Some(known));
+        }
+        assert_eq!(at(&f.reciprocal().unwrap()), Some(ratio(5, 6)));
+        assert!(f.at(&ratio(2, 1)).is_err());
+        assert!(quotient(1, 2).power(1_000_000).is_err());
+    }
+
+    #[test]
+    fn numbers_are_fractions_without_variable() {
+        assert_eq!(
+            Fraction::from(Interval::integer(3)).as_number(),
+            Some(Interval::integer(3))
+        );
+        assert_eq!(
+            Fraction::from(polynomial(&[])).as_number(),
+            Some(Interval::integer(0))
+        );
+        for varying in [Fraction::variable(), quotient(1, 2), quotient(2, 2)] {
+            assert_eq!(varying.as_number(), None);
+        }
+        assert!(Fraction::variable().as_polynomial().is_some());
+        assert!(quotient(2, 2).as_polynomial().is_none());
+    }
+
+    #[test]
+    fn signs_change_at_zeros_and_poles() {
+        let found = |f: &Fraction| {
+            let mut found = f.sign_changes().unwrap();
+            found.sort_by(|a, b| a.low().cmp(b.low()));
+            found
+        };
+        let places = |places: &[i64]| {
+            places
+                .iter()
+                .map(|&n| Interval::integer(n))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(found(&quotient(1, 2)), places(&[1, 2]));
+        assert_eq!(found(&polynomial(&[-4, 0, 1]).into()), places(&[-2, 2]));
+        assert_eq!(found(&polynomial(&[0, 0, 2]).into()), places(&[0]));
+        assert_eq!(found(&polynomial(&[-8, 12, -6, 1]).into()), places(&[2]));
+        assert_eq!(found(&polynomial(&[5]).into()), places(&[]));
+        assert!(
+            Fraction::from(polynomial(&[-2, 0, 1]))
+                .sign_changes()
+                .is_err()
         );
     }
 }

@@ -231,14 +231,6 @@ pub(super) fn gamma(x: &Rational, bits: u64) -> Found<Interval> {
     Ok(&factor * &root_of_pi)
 }
 
-/// ln Gamma(x), which has a value for x > 0 only.
-pub(super) fn lngamma(x: &Rational, bits: u64) -> Found<Interval> {
-    if !x.is_positive() {
-        return Err(Gap::Undefined);
-    }
-    logarithm(&gamma(x, bits)?, bits)
-}
-
 /// Euler's Beta function at integers and half integers a, b > 0, DLMF 5.12.1.
 pub(super) fn beta(a: &Rational, b: &Rational, bits: u64) -> Found<Interval> {
     if !a.is_positive() || !b.is_positive() {
@@ -246,15 +238,6 @@ pub(super) fn beta(a: &Rational, b: &Rational, bits: u64) -> Found<Interval> {
     }
     let above = &gamma(a, bits)? * &gamma(b, bits)?;
     Ok(&above * &gamma(&(a + b), bits)?.reciprocal()?)
-}
-
-/// floor x, where the enclosure settles it.
-pub(super) fn floor(x: &Interval) -> Result<Interval, Unknown> {
-    let (low, high) = (x.low().floor(), x.high().floor());
-    if low != high {
-        return unknown("floor: the enclosure holds an integer");
-    }
-    Ok(Interval::exact(low))
 }
 
 #[cfg(test)]
@@ -333,6 +316,7 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(12))]
         #[test]
         fn more_bits_lie_within_fewer(a in 1_i64..10_000, b in 1_i64..10_000, bits in 32_u64..200) {
             let q = ratio(a, b);

@@ -5,14 +5,12 @@ use super::condition::pairs;
 use super::fraction::Fraction;
 use super::integrate::{Piece, total};
 use super::interval::Interval;
-use super::law;
 use super::polynomial::Polynomial;
 use super::quantity::Quantity;
 use super::scope::Scope;
 use super::value::{evaluate, finite};
-use super::{Found, Gap, Unknown, known, unknown};
+use super::{Found, Gap, Unknown, unknown};
 use crate::formula::{Condition, Formula, Function, Name, Part, Ranged, Rational};
-use num_traits::One;
 use std::cmp::Ordering;
 
 /// An integral between its ends.
@@ -64,51 +62,24 @@ pub(super) fn over_range(
             return Ok(Interval::integer(0).into());
         }
     }
+    let (from, to) = (from.clone().number()?, to.clone().number()?);
     let cuts = cuts(Part::Formula(body), name, scope)?;
-    let places = places(cuts, from, to)?;
     let mut pieces = Vec::new();
-    for pair in places.windows(2) {
+    for pair in places(cuts, from, to)?.windows(2) {
         let middle = (pair[0].high() + pair[1].low()) / Rational::from_integer(2.into());
-        let (low, high) = (pair[0].clone(), pair[1].clone());
-        pieces.push(Piece::new(&function(&middle)?, low, high)?);
-    }
-    let zero = Interval::integer(0);
-    let (first, last) = (&places[0], &places[places.len() - 1]);
-    if *from == Quantity::MinusInfinity {
-        let tail = function(&(first.low() - Rational::one()))?.inverted()?;
-        pieces.push(Piece::new(&tail, first.reciprocal()?, zero.clone())?);
-    }
-    if *to == Quantity::PlusInfinity {
-        let tail = function(&(last.high() + Rational::one()))?.inverted()?;
-        pieces.push(Piece::new(&tail, zero, last.reciprocal()?)?);
+        let function = function(&middle)?;
+        pieces.push(Piece::new(&function, pair[0].clone(), pair[1].clone())?);
     }
     total(&pieces, scope.bits)
 }
 
-/// The finite ends of a range and the cuts between them, in order. Towards an infinite end the last
-/// one is a number beyond all cuts, and beyond 0.
-fn places(cuts: Vec<Interval>, from: &Quantity, to: &Quantity) -> Result<Vec<Interval>, Unknown> {
-    let mut places = Vec::new();
+/// The ends of a range and the cuts between them, in order.
+fn places(cuts: Vec<Interval>, from: Interval, to: Interval) -> Result<Vec<Interval>, Unknown> {
+    let mut places = vec![from.clone(), to.clone()];
     for cut in cuts {
-        let place = cut.clone().into();
-        if from.compare(&place)?.is_lt() && to.compare(&place)?.is_gt() {
+        if from.compare(&cut)?.is_lt() && cut.compare(&to)?.is_lt() {
             places.push(cut);
         }
-    }
-    for end in [from, to] {
-        if let Quantity::Finite(end) = end {
-            places.extend(end.as_number());
-        }
-    }
-    let zero = Interval::integer(0);
-    let one = Rational::one();
-    if *from == Quantity::MinusInfinity {
-        let least = places.iter().fold(zero.clone(), |a, b| a.minimum(b));
-        places.push(Interval::exact(least.low().floor() - &one));
-    }
-    if *to == Quantity::PlusInfinity {
-        let greatest = places.iter().fold(zero, |a, b| a.maximum(b));
-        places.push(Interval::exact(greatest.high().ceil() + one));
     }
     places.sort_by(|a, b| a.low().cmp(b.low()));
     places.dedup_by(|a, b| a.compare(b) == Ok(Ordering::Equal));
@@ -138,39 +109,19 @@ fn cuts(part: Part, name: &Name, scope: &Scope) -> Result<Vec<Interval>, Unknown
 /// The same for the comparisons that a part makes itself.
 fn cuts_here(part: Part, name: &Name, scope: &Scope) -> Result<Vec<Interval>, Unknown> {
     let zero = Formula::integer(0);
-    let mut compared = Vec::new();
-    match part {
-        Part::Condition(Condition::Chain(first, links)) => {
-            compared.extend(pairs(first, links).map(|(left, _, right)| (left, right)));
-        }
-        Part::Formula(Formula::Call(Function::Abs, list)) => compared.push((&list[0], &zero)),
-        Part::Formula(Formula::Call(Function::Min | Function::Max, list)) => {
-            for (i, a) in list.iter().enumerate() {
-                compared.extend(list[..i].iter().map(|b| (a, b)));
-            }
-        }
-        Part::Formula(Formula::Density(drawn, place) | Formula::Cumulative(drawn, place)) => {
-            if scope.occurs(name, Part::Formula(place)) {
-                return known(support_cuts(drawn, place, scope), "a density without value");
-            }
-        }
-        _ => {}
-    }
+    let compared: Vec<(&Formula, &Formula)> = match part {
+        Part::Condition(Condition::Chain(first, links)) => pairs(first, links)
+            .map(|(left, _, right)| (left, right))
+            .collect(),
+        Part::Formula(Formula::Call(Function::Abs, list)) => vec![(&list[0], &zero)],
+        _ => Vec::new(),
+    };
     let mut found = Vec::new();
     for (a, b) in compared {
         if scope.occurs(name, Part::Formula(a)) || scope.occurs(name, Part::Formula(b)) {
             found.extend(crossings(a, b, scope)?);
         }
     }
-    Ok(found)
-}
-
-/// Where a place crosses an end of a draw's support.
-fn support_cuts(drawn: &Formula, place: &Formula, scope: &Scope) -> Found<Vec<Interval>> {
-    let weight = law::of_draw(drawn, scope)?;
-    let place = finite(place, scope)?;
-    let mut found = place.plus(&Fraction::from(-&weight.from))?.sign_changes()?;
-    found.extend(place.plus(&Fraction::from(-&weight.to))?.sign_changes()?);
     Ok(found)
 }
 

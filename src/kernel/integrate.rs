@@ -53,8 +53,7 @@ fn infinite(pieces: &[Piece]) -> Found<Quantity> {
     }
     signs.dedup();
     match signs[..] {
-        [Ordering::Greater] => Ok(Quantity::PlusInfinity),
-        [Ordering::Less] => Ok(Quantity::MinusInfinity),
+        [sign] => Ok(Quantity::Infinite(sign)),
         _ => Err(Gap::Undefined),
     }
 }
@@ -257,10 +256,28 @@ mod tests {
     #[test]
     fn poles_in_the_closed_range_diverge() {
         for (numerator, poles, from, to, known) in [
-            (&[1][..], &[(0, 1)][..], 0, 1, Ok(Quantity::PlusInfinity)),
-            (&[1], &[(0, 1)], -1, 0, Ok(Quantity::MinusInfinity)),
+            (
+                &[1][..],
+                &[(0, 1)][..],
+                0,
+                1,
+                Ok(Quantity::Infinite(Ordering::Greater)),
+            ),
+            (
+                &[1],
+                &[(0, 1)],
+                -1,
+                0,
+                Ok(Quantity::Infinite(Ordering::Less)),
+            ),
             (&[1], &[(0, 1)], -1, 1, Err(Gap::Undefined)),
-            (&[1], &[(0, 2)], -1, 1, Ok(Quantity::PlusInfinity)),
+            (
+                &[1],
+                &[(0, 2)],
+                -1,
+                1,
+                Ok(Quantity::Infinite(Ordering::Greater)),
+            ),
             // x/x has no pole left.
             (&[0, 1], &[(0, 1)], 0, 1, Ok(Interval::integer(1).into())),
         ] {

@@ -274,4 +274,80 @@ mod tests {
             prop_assert!(holds(&wide.rounded(bits), &(x * scale)));
         }
     }
+
+    fn interval(low: i64, high: i64) -> Interval {
+        Interval::between(ratio(low, 1), ratio(high, 1))
+    }
+
+    #[test]
+    fn signs_and_orders_need_a_gap() {
+        for (low, high, sign) in [
+            (1, 3, Some(Ordering::Greater)),
+            (-3, -1, Some(Ordering::Less)),
+            (0, 0, Some(Ordering::Equal)),
+            (0, 1, None),
+            (-1, 0, None),
+            (-1, 1, None),
+        ] {
+            let moved = interval(low + 7, high + 7);
+            assert_eq!(interval(low, high).sign().ok(), sign);
+            assert_eq!(moved.compare(&interval(7, 7)).ok(), sign);
+            assert_eq!(interval(low, high).is_positive(), low > 0);
+            assert_eq!(interval(low, high).is_zero(), low == 0 && high == 0);
+            let inverse = interval(low, high).reciprocal();
+            assert_eq!(inverse.is_ok(), sign.is_some_and(Ordering::is_ne));
+        }
+        assert!(interval(1, 2).compare(&interval(1, 2)).is_err());
+    }
+
+    /// The smallest intervals that hold all results, from schoolbook examples.
+    #[test]
+    fn results_are_as_narrow_as_can_be() {
+        let (a, b) = (interval(-2, 3), interval(4, 5));
+        for (found, low, high) in [
+            (&a + &b, 2, 8),
+            (&a - &b, -7, -1),
+            (&a * &b, -10, 15),
+            (&a * &interval(-5, -4), -15, 10),
+            (-&a, -3, 2),
+            (a.power(2), 0, 9),
+            (a.power(3), -8, 27),
+            (a.power(0), 1, 1),
+            (interval(-3, -2).power(2), 4, 9),
+            (a.absolute(), 0, 3),
+            (interval(-3, -2).absolute(), 2, 3),
+            (b.absolute(), 4, 5),
+            (a.minimum(&interval(0, 1)), -2, 1),
+            (a.maximum(&interval(0, 1)), 0, 3),
+            (interval(3, -2), -2, 3),
+        ] {
+            assert_eq!(found, interval(low, high));
+        }
+        let halves = Interval::between(ratio(1, 5), ratio(1, 4));
+        assert_eq!(b.reciprocal(), Ok(halves));
+        assert_eq!(a.around(1), Interval::between(ratio(-5, 2), ratio(7, 2)));
+        assert_eq!(
+            (b.as_exact(), interval(4, 4).as_integer()),
+            (None, Some(&4.into()))
+        );
+        assert_eq!(Interval::exact(ratio(1, 2)).as_integer(), None);
+        let doubled = |x: &Rational| Ok(Interval::between(x + x, x + x + ratio(1, 1)));
+        assert_eq!(b.increasing(doubled), Ok(interval(8, 11)));
+        assert_eq!(interval(4, 4).increasing(doubled), Ok(interval(8, 9)));
+        assert_eq!(Interval::between(ratio(1, 4), ratio(3, 1)).size(), 4);
+    }
+
+    #[test]
+    fn rounding_keeps_the_bits_asked_for() {
+        for (n, scale) in [(1, 0_u32), (-1, 0), (355, 0), (1, 200), (-1, 200)] {
+            for number in [ratio(n, 3), ratio(3, n)] {
+                let number = number * Rational::from_integer(BigInt::from(2).pow(scale));
+                let found = Interval::exact(number.clone()).rounded(20);
+                let width = (found.high() - found.low()) / number.abs();
+                assert!(holds(&found, &number));
+                assert!(width < ratio(1, 1 << 17) && found.size() < 500);
+            }
+        }
+        assert_eq!(interval(5, 9).rounded(8), interval(5, 9));
+    }
 }

@@ -3,7 +3,6 @@
 //! All laws that the kernel knows have a polynomial density, so that a mean of a fraction is the
 //! integral of a fraction.
 
-use super::condition::at_sample;
 use super::functions::factorial;
 use super::integrand::over_range;
 use super::integrate::Piece;
@@ -12,7 +11,7 @@ use super::polynomial::Polynomial;
 use super::quantity::Quantity;
 use super::scope::Scope;
 use super::value::{evaluate, finite, number};
-use super::{Found, Gap, Unknown, unknown};
+use super::{Found, Gap, Unknown, known, unknown};
 use crate::formula::{Condition, Draw, Formula, Law, Name, Operator, Part, Rational, Relation};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -26,15 +25,6 @@ pub(super) struct Weight {
     pub density: Polynomial,
     pub from: Interval,
     pub to: Interval,
-}
-
-impl Weight {
-    /// The integral of the density from the lower end on.
-    fn cumulative(&self) -> Polynomial {
-        let whole = self.density.antiderivative();
-        let start = -&whole.at(&self.from);
-        &whole + &Polynomial::constant(start)
-    }
 }
 
 /// The weight of a law; none where its parameters are proved to give no law.
@@ -96,7 +86,9 @@ fn order(l: &Interval, m: &Interval, of: Weight, scope: &Scope) -> Found<Weight>
     };
     let length = of.density.length() as u64 + 1;
     scope.spend(u64::from(m).pow(2) * length * length)?;
-    let below = of.cumulative();
+    // The cdf of one draw, and 1 less that.
+    let whole = of.density.antiderivative();
+    let below = &whole + &Polynomial::constant(-&whole.at(&of.from));
     let minus = below.scaled(&Interval::integer(-1));
     let above = &Polynomial::constant(Interval::integer(1)) + &minus;
     let count = |n: u32| factorial(&BigInt::from(n));
@@ -118,8 +110,8 @@ fn density_law(
     scope: &Scope,
 ) -> Result<Weight, Unknown> {
     let refused = "a density not proved to be one";
-    let settle = |found| super::known(found, refused);
-    let body = super::known(finite(body, &scope.with_variable(argument)), refused)?;
+    let settle = |found| known(found, refused);
+    let body = known(finite(body, &scope.with_variable(argument)), refused)?;
     let Some(density) = body.as_polynomial().cloned() else {
         return unknown(refused);
     };
@@ -147,17 +139,6 @@ fn density_law(
     unknown(refused)
 }
 
-/// The weight of a draw of the scope, named by a formula.
-pub(super) fn of_draw(drawn: &Formula, scope: &Scope) -> Found<Weight> {
-    match drawn {
-        Formula::Name(name) if !scope.binds(name) => match scope.draw(name) {
-            Some(draw) => weight(&draw.law, scope),
-            None => unknown("the density of what is no draw"),
-        },
-        _ => unknown("the density of a compound random quantity"),
-    }
-}
-
 /// The mean of a formula over its own draw, or over the draw of the scope that occurs in it.
 pub(super) fn mean(body: &Formula, own: Option<&Draw>, scope: &Scope) -> Found<Quantity> {
     let Some((draw, inner)) = draw_of(body, own, scope)? else {
@@ -169,14 +150,11 @@ pub(super) fn mean(body: &Formula, own: Option<&Draw>, scope: &Scope) -> Found<Q
 }
 
 /// The draw that a mean is over, if any, and the scope of its body.
-pub(super) fn draw_of<'a, 'd>(
+pub(super) fn draw_of<'a>(
     body: &Formula,
-    own: Option<&'d Draw>,
+    own: Option<&'a Draw>,
     scope: &Scope<'a>,
-) -> Result<Option<(&'d Draw, Scope<'a>)>, Unknown>
-where
-    'a: 'd,
-{
+) -> Result<Option<(&'a Draw, Scope<'a>)>, Unknown> {
     if let Some(draw) = own {
         // The draw hides a parameter of its name from the body, not from its own law.
         return match scope.draw(&draw.name) {
@@ -220,39 +198,28 @@ pub(super) fn probability(
     mean(&Formula::Indicator(Box::new(condition.clone())), own, scope)
 }
 
-/// The density of a draw at a place, ends of its support counted in.
+/// The density of a draw at a number, ends of its support counted in.
 pub(super) fn density_at(drawn: &Formula, place: &Formula, scope: &Scope) -> Found<Quantity> {
-    let weight = of_draw(drawn, scope)?;
-    let place = finite(place, scope)?;
-    let number = at_sample(&place.clone().into(), scope)?;
-    if number.compare(&weight.from)?.is_lt() || number.compare(&weight.to)?.is_gt() {
+    let draw = match drawn {
+        Formula::Name(name) if !scope.binds(name) => scope.draw(name),
+        _ => None,
+    };
+    let Some(draw) = draw else {
+        return unknown("the density of what is no draw");
+    };
+    let (weight, place) = (weight(&draw.law, scope)?, number(place, scope)?);
+    if place.compare(&weight.from)?.is_lt() || place.compare(&weight.to)?.is_gt() {
         return Ok(Interval::integer(0).into());
     }
-    Ok(weight.density.of(&place)?.into())
+    Ok(weight.density.at(&place).into())
 }
 
-/// The probability that a random quantity is at most a number.
+/// The probability that a random quantity is at most a number. Neither may lack a value: the
+/// relation would then be false, and the probability 0.
 pub(super) fn cumulative_at(quantity: &Formula, place: &Formula, scope: &Scope) -> Found<Quantity> {
-    if let Formula::Name(_) = quantity {
-        return cumulative_of_draw(quantity, place, scope);
-    }
-    let random = |draw: &Draw| scope.occurs(&draw.name, Part::Formula(place));
-    if scope.draws.iter().any(random) {
-        return unknown("a cdf at a random place");
-    }
+    number(place, scope)?;
+    let nothing = Formula::binary(Operator::Multiply, Formula::integer(0), quantity.clone());
+    known(mean(&nothing, None, scope), "the cdf of what has no value")?;
     let links = vec![(Relation::LessEqual, place.clone())];
     probability(&Condition::Chain(quantity.clone(), links), None, scope)
-}
-
-fn cumulative_of_draw(drawn: &Formula, place: &Formula, scope: &Scope) -> Found<Quantity> {
-    let weight = of_draw(drawn, scope)?;
-    let place = finite(place, scope)?;
-    let number = at_sample(&place.clone().into(), scope)?;
-    if number.compare(&weight.from)?.is_lt() {
-        return Ok(Interval::integer(0).into());
-    }
-    if number.compare(&weight.to)?.is_gt() {
-        return Ok(Interval::integer(1).into());
-    }
-    Ok(weight.cumulative().of(&place)?.into())
 }

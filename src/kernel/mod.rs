@@ -27,6 +27,8 @@ mod polynomial;
 pub mod proof;
 mod quantity;
 mod scope;
+#[cfg(test)]
+mod tests;
 mod value;
 mod witness;
 

@@ -163,4 +163,43 @@ mod tests {
             prop_assert_eq!(p.times(&q).unwrap().at(&x), &u * &v);
         }
     }
+
+    #[test]
+    fn known_results() {
+        let p = polynomial(&[2, -3, 1]);
+        assert_eq!(
+            p.divide(&ratio(2, 1)),
+            (polynomial(&[-1, 1]), Interval::integer(0))
+        );
+        assert_eq!(
+            p.divide(&ratio(3, 1)),
+            (polynomial(&[0, 1]), Interval::integer(2))
+        );
+        // (x+4)^2 - 3(x+4) + 2 = x^2 + 5x + 6
+        let moved = Polynomial::new(p.taylor(&ratio(4, 1), 3));
+        assert_eq!(moved, polynomial(&[6, 5, 1]));
+        assert_eq!(polynomial(&[1, 1]).power(3), Ok(polynomial(&[1, 3, 3, 1])));
+        assert_eq!(polynomial(&[5]).power(2), Ok(polynomial(&[25])));
+        assert_eq!(polynomial(&[]).power(0), Ok(polynomial(&[1])));
+        assert_eq!(
+            polynomial(&[1, 4, 9]).antiderivative(),
+            polynomial(&[0, 1, 2, 3])
+        );
+        assert_eq!(polynomial(&[1, 2, 0, 0]).length(), 2);
+        assert_eq!(
+            &polynomial(&[1, 2]) + &polynomial(&[0, -2]),
+            polynomial(&[1])
+        );
+        assert_eq!(Polynomial::linear(&ratio(7, 1)), polynomial(&[-7, 1]));
+        assert_eq!(p.scaled(&Interval::integer(-2)), polynomial(&[-4, 6, -2]));
+    }
+
+    #[test]
+    fn degrees_have_a_cap() {
+        let mut long = vec![0; DEGREE_CAP - 1];
+        long[DEGREE_CAP - 2] = 1;
+        let long = polynomial(&long);
+        assert!(long.times(&polynomial(&[0, 1])).is_ok());
+        assert!(long.times(&polynomial(&[0, 0, 1])).is_err());
+    }
 }

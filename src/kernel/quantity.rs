@@ -24,8 +24,8 @@ pub enum Value {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Quantity {
     Finite(Fraction),
-    PlusInfinity,
-    MinusInfinity,
+    /// Greater or less than all numbers.
+    Infinite(Ordering),
 }
 
 impl<T: Into<Fraction>> From<T> for Quantity {
@@ -49,19 +49,9 @@ impl Quantity {
         }
     }
 
-    /// The sign, infinities included.
-    fn sign(&self) -> Result<Ordering, Unknown> {
-        match self {
-            Quantity::PlusInfinity => Ok(Ordering::Greater),
-            Quantity::MinusInfinity => Ok(Ordering::Less),
-            Quantity::Finite(_) => self.clone().number()?.sign(),
-        }
-    }
-
     pub fn negated(&self) -> Quantity {
         match self {
-            Quantity::PlusInfinity => Quantity::MinusInfinity,
-            Quantity::MinusInfinity => Quantity::PlusInfinity,
+            Quantity::Infinite(sign) => Quantity::Infinite(sign.reverse()),
             Quantity::Finite(fraction) => fraction.negated().into(),
         }
     }
@@ -83,10 +73,11 @@ impl Quantity {
         if let (Quantity::Finite(a), Quantity::Finite(b)) = (self, other) {
             return Ok(a.times(b)?.into());
         }
-        match (self.sign()?, other.sign()?) {
+        let zero = Interval::integer(0).into();
+        match (self.compare(&zero)?, other.compare(&zero)?) {
             (Ordering::Equal, _) | (_, Ordering::Equal) => Err(Gap::Undefined),
-            (a, b) if a == b => Ok(Quantity::PlusInfinity),
-            _ => Ok(Quantity::MinusInfinity),
+            (Ordering::Greater, sign) => Ok(Quantity::Infinite(sign)),
+            (Ordering::Less, sign) => Ok(Quantity::Infinite(sign.reverse())),
         }
     }
 
@@ -108,9 +99,9 @@ impl Quantity {
                 let (a, b) = (self.clone().number()?, other.clone().number()?);
                 a.compare(&b)
             }
-            (a, b) if a == b => Ok(Ordering::Equal),
-            (Quantity::PlusInfinity, _) | (_, Quantity::MinusInfinity) => Ok(Ordering::Greater),
-            _ => Ok(Ordering::Less),
+            (Quantity::Infinite(a), Quantity::Infinite(b)) => Ok(a.cmp(b)),
+            (Quantity::Infinite(sign), _) => Ok(*sign),
+            (_, Quantity::Infinite(sign)) => Ok(sign.reverse()),
         }
     }
 }
@@ -118,8 +109,8 @@ impl Quantity {
 /// What is found, as the value of a formula.
 pub(super) fn as_value(found: Found<Quantity>) -> Result<Value, Unknown> {
     match found {
-        Ok(Quantity::PlusInfinity) => Ok(Value::PlusInfinity),
-        Ok(Quantity::MinusInfinity) => Ok(Value::MinusInfinity),
+        Ok(Quantity::Infinite(Ordering::Less)) => Ok(Value::MinusInfinity),
+        Ok(Quantity::Infinite(_)) => Ok(Value::PlusInfinity),
         Ok(finite) => {
             let number = finite.number()?;
             Ok(Value::Finite {

@@ -124,13 +124,27 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Whether a name occurs free in a formula. A mean over the scope's draws binds them.
+    /// Whether the value of a part may depend on a name. A mean over the scope's draws binds them,
+    /// and reads their laws.
     pub fn occurs(&self, name: &Name, part: Part) -> bool {
         match part {
             Part::Formula(Formula::Name(other)) => return other == name,
             Part::Formula(
                 Formula::Mean(_, None) | Formula::Variance(_, None) | Formula::Probability(_, None),
             ) if self.draw(name).is_some() => return false,
+            Part::Formula(
+                Formula::Mean(_, None)
+                | Formula::Variance(_, None)
+                | Formula::Probability(_, None)
+                | Formula::Density(..)
+                | Formula::Cumulative(..),
+            ) if self
+                .draws
+                .iter()
+                .any(|d| self.occurs(name, Part::Law(&d.law))) =>
+            {
+                return true;
+            }
             _ => {}
         }
         let mut found = false;
