@@ -107,7 +107,7 @@ impl<'a> Relation<'a> {
             }
             let core = self.term(i, &r.name)?;
             // A factor that may be 0 somewhere is 1 more less 1.
-            let factors = match b.attempt(|b| b.nonzero(factor)) {
+            let factors = match b.attempt(|b| b.finite(factor).and_then(|()| b.nonzero(factor))) {
                 Some(()) => vec![factor.clone()],
                 None => vec![
                     cx.algebra.tidy(&add(factor.clone(), int(1))),
@@ -120,7 +120,10 @@ impl<'a> Relation<'a> {
         let mut terms = terms.map(|(c, core)| Formula::binary(Multiply, c.clone(), core.clone()));
         let first = terms.next()?;
         let sum = terms.fold(first, |sum, term| Formula::binary(Add, sum, term));
-        let parts: Vec<_> = parts.into_iter().map(|(c, core)| (c, over(r, core))).collect();
+        let parts: Vec<_> = parts
+            .into_iter()
+            .map(|(c, core)| (c, over(r, core)))
+            .collect();
         let total = over(r, sum);
         let linear = split(b, &total, &parts)?;
         let zero = self.vanishes(b, &total)?;
@@ -160,14 +163,17 @@ fn split(b: &mut Builder, total: &Formula, parts: &[(Formula, Formula)]) -> Opti
     continuous(b, last)?;
     let scaled = Formula::binary(Multiply, c.clone(), last.clone());
     let Formula::Binary(Add, before, own) = &r.body else {
+        b.finite(c)?;
         b.nonzero(c)?;
         return b.step(Fact::Same(total.clone(), scaled), Rule::Scale, &[], &[]);
     };
     if parts.len() == 1 {
+        b.finite(c)?;
         b.nonzero(c)?;
         return b.step(Fact::Same(total.clone(), scaled), Rule::Scale, &[], &[]);
     }
     let (left, right) = (over(r, (**before).clone()), over(r, (**own).clone()));
+    b.finite(c)?;
     b.nonzero(c)?;
     let fact = Fact::Same(right.clone(), scaled.clone());
     let second = b.step(fact, Rule::Scale, &[], &[])?;

@@ -103,12 +103,7 @@ pub(super) fn rewritten(
 }
 
 /// Two integrals over the same range, whose bodies the step equates.
-pub(super) fn under(
-    b: &mut Builder,
-    one: &Formula,
-    other: &Formula,
-    step: Step,
-) -> Option<Step> {
+pub(super) fn under(b: &mut Builder, one: &Formula, other: &Formula, step: Step) -> Option<Step> {
     b.congruent(one, other, &[step])
 }
 

@@ -10,6 +10,7 @@ use crate::formula::{Formula, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, derive};
 
 /// `p = A*x^d + B`
+#[derive(Clone)]
 struct Place {
     p: Formula,
     /// `x^d`, as it stands in p.
@@ -32,7 +33,14 @@ pub(super) fn to_unit(
     })?;
     let u = b.fresh("u");
     let g = place.integrand(cx, product, r, &u)?;
-    place.substitute(b, r, (&u, &g))
+    // As it stands, for the kernel knows a power by its base; or else in its shortest form.
+    let short = Place {
+        p: cx.algebra.tidy(&place.p),
+        ..place.clone()
+    };
+    [place, short]
+        .into_iter()
+        .find_map(|place| b.attempt(|b| place.substitute(b, r, (&u, &g))))
 }
 
 impl Place {
@@ -60,7 +68,6 @@ impl Place {
             exponent,
             slope: powers.get(&1)?.clone(),
             origin: powers.get(&0).cloned().unwrap_or(int(0)),
-            // As it stands: the kernel knows a power by its base as written.
             p: base.clone(),
         })
     }

@@ -132,6 +132,7 @@ pub(super) fn scaled(
         let step = b.equal(body, &new)?;
         Some((new, step))
     })?;
+    b.finite(c)?;
     b.nonzero(c)?;
     let Formula::Ranged(made) = &next else {
         return None;
