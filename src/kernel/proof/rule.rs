@@ -75,7 +75,8 @@ rules! {
     /// `int(e, x = a..b) == int(g, u = c..d)` for `a < b`, p the argument, from `finite p` on
     /// [a..b], `0 < p'` on a..b, and `e == g[u:=p]*p'` on a..b, where c and d are p at a and b.
     Substitution "substitution" "DLMF 1.4(v)",
-    /// `int(c*e, x = a..b) == c*int(e, x = a..b)`, c finite, nonzero and free of x.
+    /// `int(c*e, x = a..b) == c*int(e, x = a..b)`, c finite and free of x, and c nonzero or the integral
+    /// on the right finite.
     Scale "scale" "DLMF 1.4(v)",
     /// `int(e + g, x = a..b) == int(e, x = a..b) + int(g, x = a..b)` where the two on the right are
     /// finite; the same with `-`.

@@ -60,8 +60,12 @@ impl<'a> Check<'a, '_> {
             return reject("the integrand is a product");
         };
         require(!depends(c, &r.name), "the factor depends on the variable")?;
-        self.is_nonzero(c)?;
         let rest = with_body(r, e);
+        self.is_finite(c)?;
+        // 0 times an infinite integral has no value, but the integral of 0 may have one.
+        if self.is_nonzero(c).is_err() {
+            self.is_finite(&rest)?;
+        }
         self.concludes(&Formula::binary(Operator::Multiply, (**c).clone(), rest))
     }
 
