@@ -108,8 +108,11 @@ fn by_shape(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     if let Some(found) = b.attempt(|b| primitive::power(b, cx, r, &product)) {
         return Some(found);
     }
+    if let Some(found) = b.attempt(|b| substitution::to_unit(b, cx, r, &product)) {
+        return Some(found);
+    }
     match primitive::is_unit(r) {
         true => weight::value(b, cx, r, &product),
-        false => substitution::to_unit(b, cx, r, &product),
+        false => None,
     }
 }

@@ -46,6 +46,9 @@ pub(super) fn to_unit(
 impl Place {
     fn of(cx: &mut Context, base: &Formula, r: &Ranged) -> Option<Place> {
         let p = cx.algebra.tidy(base);
+        if p == var(&r.name) {
+            return None; // it runs from 0 to 1 already
+        }
         let at = |end: &Formula| substitute(&p, &[(r.name.clone(), end.clone())]).ok();
         let (low, high) = (at(&r.from)?, at(&r.to)?);
         if !cx.algebra.zero(&vanishing(&low)) || !cx.algebra.same(&high, &int(1)) {
