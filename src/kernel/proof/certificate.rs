@@ -12,9 +12,10 @@
 //! proof
 //! 1: 2 <= k | given
 //! 2: 0 < k - 1 | order | k - 2 + 1
-//! 3: gamma(k) == (k - 1)*gamma(k - 1) | gamma
-//! 4: k*gamma(k - 1)/gamma(k) == k/(k - 1) | ring 3
-//! qed 4
+//! 3: 0 < k | order | k - 2 + 2
+//! 4: gamma(k) == (k - 1)*gamma(k - 1) | gamma
+//! 5: k*gamma(k - 1)/gamma(k) == k/(k - 1) | ring 4
+//! qed 5
 //! ```
 //!
 //! A block opens with `{`, its variables and what it supposes (`{ x real | 5: 0 < x | 6: x < 1`) and
