@@ -21,6 +21,13 @@ pub(super) struct Context {
     values: HashMap<Formula, (Formula, Step)>,
 }
 
+impl Context {
+    /// Forgets the values found before: what had none may have one in the next case.
+    pub fn forget(&mut self) {
+        self.values.clear();
+    }
+}
+
 /// A value and the step that states that the quantity has it.
 pub(super) type Value = (Formula, Step);
 

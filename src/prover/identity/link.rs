@@ -73,28 +73,45 @@ fn equation(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Opti
     b.by_cases(&fact, SPLITS, &mut |b| {
         let outside = std::mem::take(&mut cx.known);
         cx.known = known(b);
+        cx.forget();
         let found = direct(b, cx, x, y);
         cx.known = outside;
         found
     })
 }
 
-/// Names that the case gives a value.
+/// Names that the case gives a value: squeezed by a number, or by a name that has a value.
 fn known(b: &mut Builder) -> Vec<(Name, Formula, Step)> {
-    let facts: Vec<Fact> = b
+    let mut bounds: Vec<(Name, Formula)> = b
         .relations()
-        .map(|relation| relation.fact.clone())
+        .filter_map(|relation| match &relation.fact {
+            Fact::AtMost(Formula::Name(name), bound) => Some((name.clone(), bound.clone())),
+            _ => None,
+        })
         .collect();
-    let mut known: Vec<(Name, Formula, Step)> = Vec::new();
-    for fact in facts {
-        if let Fact::AtMost(Formula::Name(name), value @ Formula::Number(_)) = &fact
-            && known.iter().all(|(other, ..)| other != name)
-            && let Some(step) = b.squeeze(&Formula::Name(name.clone()), value)
-        {
-            known.push((name.clone(), value.clone(), step));
-        }
+    let mut known = Vec::new();
+    while let Some(found) = squeezed(b, &bounds, &known) {
+        bounds.retain(|(name, _)| *name != found.0);
+        known.push(found);
     }
     known
+}
+
+/// The next name with a value.
+fn squeezed(
+    b: &mut Builder,
+    bounds: &[(Name, Formula)],
+    known: &[(Name, Formula, Step)],
+) -> Option<(Name, Formula, Step)> {
+    bounds.iter().find_map(|(name, bound)| {
+        let value = match bound {
+            Formula::Number(_) => bound,
+            Formula::Name(other) => &known.iter().find(|(name, ..)| name == other)?.1,
+            _ => return None,
+        };
+        let step = b.squeeze(&Formula::Name(name.clone()), value)?;
+        Some((name.clone(), value.clone(), step))
+    })
 }
 
 /// `x == y` without cases.
