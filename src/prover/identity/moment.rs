@@ -106,15 +106,7 @@ impl<'a> Relation<'a> {
                 continue;
             }
             let core = self.term(i, &r.name)?;
-            // A factor that may be 0 somewhere is 1 more less 1.
-            let factors = match b.attempt(|b| b.finite(factor).and_then(|()| b.nonzero(factor))) {
-                Some(()) => vec![factor.clone()],
-                None => vec![
-                    cx.algebra.tidy(&add(factor.clone(), int(1))),
-                    Formula::Negate(Box::new(int(1))),
-                ],
-            };
-            parts.extend(factors.into_iter().map(|c| (c, core.clone())));
+            parts.push((factor.clone(), core));
         }
         let terms = parts.iter();
         let mut terms = terms.map(|(c, core)| Formula::binary(Multiply, c.clone(), core.clone()));
@@ -159,37 +151,33 @@ fn split(b: &mut Builder, total: &Formula, parts: &[(Formula, Formula)]) -> Opti
     let Formula::Ranged(r) = total else {
         return None;
     };
-    let (c, last) = parts.last()?;
-    continuous(b, last)?;
-    let scaled = Formula::binary(Multiply, c.clone(), last.clone());
-    let Formula::Binary(Add, before, own) = &r.body else {
-        b.finite(c)?;
-        b.nonzero(c)?;
-        return b.step(Fact::Same(total.clone(), scaled), Rule::Scale, &[], &[]);
-    };
-    if parts.len() == 1 {
-        b.finite(c)?;
-        b.nonzero(c)?;
-        return b.step(Fact::Same(total.clone(), scaled), Rule::Scale, &[], &[]);
+    let ((c, last), before) = parts.split_last()?;
+    if before.is_empty() {
+        return scale(b, total, c, last);
     }
-    let (left, right) = (over(r, (**before).clone()), over(r, (**own).clone()));
-    b.finite(c)?;
-    b.nonzero(c)?;
-    let fact = Fact::Same(right.clone(), scaled.clone());
-    let second = b.step(fact, Rule::Scale, &[], &[])?;
-    let first = split(b, &left, &parts[..parts.len() - 1])?;
-    let Fact::Same(_, combined) = b.fact(first).clone() else {
+    let Formula::Binary(Add, sum, own) = &r.body else {
         return None;
     };
+    let (left, right) = (over(r, (**sum).clone()), over(r, (**own).clone()));
+    let first = split(b, &left, before)?;
+    let second = scale(b, &right, c, last)?;
     for (side, step) in [(&left, first), (&right, second)] {
         b.step(Fact::Finite(side.clone()), Rule::Finite, &[step], &[])?;
     }
+    let all = Formula::binary(Add, b.right(first)?, b.right(second)?);
     let apart = Formula::binary(Add, left, right);
     let fact = Fact::Same(total.clone(), apart.clone());
     let third = b.step(fact, Rule::Split, &[], &[])?;
-    let all = Formula::binary(Add, combined, scaled);
     let fourth = b.congruent(&apart, &all, &[first, second])?;
     b.chain(&[third, fourth], total, &all)
+}
+
+/// `int(c*t) == c*int(t)`; c may be 0, as the integral on the right is finite.
+fn scale(b: &mut Builder, whole: &Formula, c: &Formula, rest: &Formula) -> Option<Step> {
+    continuous(b, rest)?;
+    b.finite(c)?;
+    let scaled = Formula::binary(Multiply, c.clone(), rest.clone());
+    b.step(Fact::Same(whole.clone(), scaled), Rule::Scale, &[], &[])
 }
 
 /// From `c0*I0 + c1*I1 + ... == 0`: I0 by the others, these by their values.
