@@ -7,6 +7,7 @@
 
 use super::atoms::Equations;
 use super::builder::Builder;
+use super::make::map_parts;
 use crate::formula::Formula;
 use crate::kernel::proof::{Fact, Rule, Step};
 
@@ -34,6 +35,40 @@ impl Builder<'_> {
         }
         self.attempt(|builder| builder.equal_by_atoms(a, b, given))
             .or_else(|| self.attempt(|builder| builder.equal_by_names(a, b, given)))
+            .or_else(|| self.attempt(|builder| builder.equal_by_arguments(a, b, given)))
+    }
+
+    /// With the arguments of unknown functions in normal form: the kernel does not reduce fractions.
+    fn equal_by_arguments(&mut self, a: &Formula, b: &Formula, given: &[Step]) -> Option<Step> {
+        let (u, first) = self.with_arguments(a)?;
+        let (v, last) = self.with_arguments(b)?;
+        if u == *a && v == *b {
+            return None;
+        }
+        let middle = self.equal_with(&u, &v, given)?;
+        self.chain(&[first, middle, last], a, b)
+    }
+
+    fn with_arguments(&mut self, e: &Formula) -> Option<(Formula, Step)> {
+        let mut steps = Vec::new();
+        let found = self.in_arguments(e, &mut steps);
+        let step = self.congruent(e, &found, &steps)?;
+        Some((found, step))
+    }
+
+    fn in_arguments(&mut self, e: &Formula, steps: &mut Vec<Step>) -> Formula {
+        let inside = matches!(e, Formula::Apply(..));
+        map_parts(e, &mut |part| {
+            if inside
+                && let Some(new) = self.simplified(part)
+                && new != *part
+                && let Some(step) = self.ring(part, &new, &[])
+            {
+                steps.push(step);
+                return new;
+            }
+            self.in_arguments(part, steps)
+        })
     }
 
     fn equal_by_atoms(&mut self, a: &Formula, b: &Formula, given: &[Step]) -> Option<Step> {

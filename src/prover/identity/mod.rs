@@ -8,6 +8,7 @@
 
 mod atoms;
 mod border;
+mod bounded;
 mod builder;
 mod equal;
 mod evaluate;

@@ -170,7 +170,7 @@ impl Builder<'_> {
     }
 
     /// A polynomial written so that it is seen to be positive (nonnegative, where not strict).
-    fn show_polynomial(&mut self, p: &Polynomial, strict: bool) -> Option<Formula> {
+    pub(super) fn show_polynomial(&mut self, p: &Polynomial, strict: bool) -> Option<Formula> {
         if let Some(value) = p.as_constant() {
             let fits = value > 0 || (value == 0 && !strict);
             return fits.then(|| number(&from_rug(&value)));
@@ -180,6 +180,7 @@ impl Builder<'_> {
             .or_else(|| self.show_divided(p, strict))
             .or_else(|| self.show_powers(p, strict))
             .or_else(|| self.show_sum(p, strict))
+            .or_else(|| self.show_bounded(p, strict))
     }
 
     /// By a relation in sight, up to a factor.
