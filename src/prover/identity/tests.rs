@@ -239,3 +239,27 @@ fn relations_with_denominators() {
     assert!(sign(given, "r*n + 1 - k", 0));
     assert!(sign(given, "k/n - (k-1)/n", 1));
 }
+
+/// Proves the only link of a proposition by the tactics.
+fn proved(text: &str, at: &str) {
+    let p = parse_proposition(text).expect(text);
+    let script = super::prove(&p, &[point(at)]).unwrap_or_else(|| panic!("{text}"));
+    let certificate = Certificate::Theorem(script).to_string();
+    replay(&certificate).unwrap_or_else(|flaw| panic!("{certificate}\n{flaw}"));
+}
+
+#[test]
+fn substitution_in_the_unit_range() {
+    proved(
+        "given int k, n\ndomain 1 <= k <= n\ndraw R ~ order(k, n) of density x -> 3*x^2 on 0..1\nsays mean(R^3) == k/(n+1)",
+        "k=1,n=2",
+    );
+}
+
+#[test]
+fn bounded_variables() {
+    proved(
+        "given int l, m; real a, b\ndomain 1 <= l <= m\ndomain 0 < a < b\nsays hyp2f1(1, l; m+1; -(b^3-a^3)/a^3) == a^3*int(x^(l-1)*(1-x)^(m-l)/(a^3+(b^3-a^3)*x), x = 0..1)/beta(l, m-l+1)",
+        "l=1,m=2,a=1,b=2",
+    );
+}
