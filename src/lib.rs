@@ -60,14 +60,14 @@
 //! # let    Vb = Va + V
 //! # says   hyp2f1r(1, 1; 2; V/Va) == Va*ln(Vb/Va)/V
 //! # mend   hyp2f1r(1, 1; 2; -V/Va) == Va*ln(Vb/Va)/V
-//! # expect printed refuted, mended certified
+//! # expect printed refuted, mended proved
 //! # ```
 //! # ";
 //! # let book = claimcheck::book::read_text("chapter.md", chapter).expect("a claim");
 //! use claimcheck::judge::{Settings, Verdict, judge};
 //! let report = judge(&book.claims[0], None, &Settings::default());
 //! assert_eq!(report.printed.verdict, Verdict::Refuted);
-//! assert_eq!(report.mended.expect("it has a mend").verdict, Verdict::Certified);
+//! assert_eq!(report.mended.expect("it has a mend").verdict, Verdict::Proved);
 //! assert!(report.as_expected);
 //! # }
 //! ~~~

@@ -99,7 +99,7 @@ fn help_is_no_error_and_no_command_is() {
 fn a_book_that_is_right() {
     let seen = check(&book("right", RIGHT), &[]);
     assert_eq!(seen.code, Some(0), "{}{}", seen.out, seen.err);
-    assert!(seen.out.contains("2 claims: 2 certified"), "{}", seen.out);
+    assert!(seen.out.contains("2 claims: 2 proved"), "{}", seen.out);
     assert!(
         seen.out.contains("all as expected (seed 1, 50 digits)"),
         "{}",

@@ -9,20 +9,7 @@ use crate::kernel::proof::{Fact, Step};
 
 /// Small integers that a name may be split at.
 const ROOTS: std::ops::RangeInclusive<i64> = -3..=6;
-/// Splits within splits.
-const SPLITS: usize = 2;
-
 impl Builder<'_> {
-    /// States `a == b`, finite or not: where a side may lack its value on the border of the domain,
-    /// by cases, both being without one there.
-    pub fn equal_or_split(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
-        let fact = Fact::Same(a.clone(), b.clone());
-        self.by_cases(&fact, SPLITS, &mut |builder| {
-            let found = builder.attempt(|builder| builder.equal(a, b));
-            found.or_else(|| builder.attempt(|builder| builder.both_undefined(a, b)))
-        })
-    }
-
     /// Proves a fact, and where that fails, by cases at the borders of its sides.
     pub fn by_cases(
         &mut self,

@@ -50,7 +50,6 @@ pub(crate) struct Builder<'p> {
     /// Stands for what is known; a new one whenever something is learnt.
     state: u64,
     states: Rc<Cell<u64>>,
-    refusal: String,
 }
 
 impl<'p> Builder<'p> {
@@ -66,7 +65,6 @@ impl<'p> Builder<'p> {
             failed: Rc::default(),
             state: 0,
             states: Rc::default(),
-            refusal: String::new(),
         };
         for condition in &proposition.domain {
             builder.give(condition);
@@ -102,11 +100,6 @@ impl<'p> Builder<'p> {
         self.proposition
     }
 
-    /// Why the kernel refused a step last.
-    pub fn refusal(&self) -> &str {
-        &self.refusal
-    }
-
     /// Adds a step; one that is in sight already is not made twice.
     pub fn step(
         &mut self,
@@ -132,10 +125,7 @@ impl<'p> Builder<'p> {
                 self.note(fact, step, rule == Rule::Order && premises.is_empty());
                 Some(step)
             }
-            Err(error) => {
-                self.refusal = format!("{fact} | {}: {error}", rule.name());
-                None
-            }
+            Err(_) => None,
         }
     }
 
@@ -244,10 +234,10 @@ impl<'p> Builder<'p> {
     ) -> Option<T> {
         self.attempt(|builder| {
             let (first, state) = (builder.uses.len(), builder.state);
-            if let Err(error) = builder.proof.open(variables.clone(), hypotheses.clone()) {
-                builder.refusal = format!("block: {error}");
-                return None;
-            }
+            builder
+                .proof
+                .open(variables.clone(), hypotheses.clone())
+                .ok()?;
             let steps: Vec<Step> = (first..first + hypotheses.len()).collect();
             builder.uses.extend(steps.iter().map(|_| Rc::default()));
             builder.frames.push(Frame {
@@ -275,9 +265,7 @@ impl<'p> Builder<'p> {
         let before = self.clone();
         let found = f(self);
         if found.is_none() {
-            let refusal = std::mem::take(&mut self.refusal);
             *self = before;
-            self.refusal = refusal;
         }
         found
     }

@@ -48,13 +48,3 @@ pub(super) fn number(value: &Rational) -> Formula {
         false => written,
     }
 }
-
-/// The integer that a formula is.
-pub(super) fn as_integer(e: &Formula) -> Option<i64> {
-    use num_traits::ToPrimitive;
-    match e {
-        Formula::Number(value) if value.is_integer() => value.to_i64(),
-        Formula::Negate(a) => as_integer(a)?.checked_neg(),
-        _ => None,
-    }
-}

@@ -4,8 +4,6 @@
 //! they are finite or positive, is made known by the search for order ([`order`]); equations between
 //! finite formulas are made by [`equal`]; the tactics for integrals, sums and means rest on both.
 
-#![allow(dead_code)] // until the tactics use all of it
-
 mod atoms;
 mod border;
 mod bounded;

@@ -21,14 +21,6 @@ impl Builder<'_> {
         }
     }
 
-    /// States `a == b` where neither has a value.
-    pub fn both_undefined(&mut self, a: &Formula, b: &Formula) -> Option<Step> {
-        self.undefined(a)?;
-        self.undefined(b)?;
-        let fact = Fact::Same(a.clone(), b.clone());
-        self.step(fact, Rule::None, &[], &[])
-    }
-
     /// Whether the operation itself has no value.
     fn has_no_value(&mut self, e: &Formula) -> bool {
         match e {

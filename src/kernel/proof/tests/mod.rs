@@ -5,7 +5,6 @@
 
 mod attacks;
 mod certificates;
-mod fuzz;
 mod integrals;
 mod logic;
 mod special;
