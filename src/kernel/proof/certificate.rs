@@ -74,10 +74,10 @@ pub struct Script {
 /// What a certificate shows.
 #[derive(Clone, Debug)]
 pub enum Shown {
-    Theorem(Theorem),
+    Theorem(Box<Theorem>),
     Refutation {
-        proposition: Proposition,
-        refutation: Refutation,
+        proposition: Box<Proposition>,
+        refutation: Box<Refutation>,
     },
 }
 
@@ -119,7 +119,7 @@ impl Read {
     fn check(&self) -> Result<Shown, Flaw> {
         match &self.certificate {
             Certificate::Theorem(script) => match script.check() {
-                Ok(theorem) => Ok(Shown::Theorem(theorem)),
+                Ok(theorem) => Ok(Shown::Theorem(Box::new(theorem))),
                 Err((at, Rejected(message))) => {
                     let line = at.and_then(|at| self.places.get(at)).unwrap_or(&self.end);
                     Err(Flaw {
@@ -133,7 +133,8 @@ impl Read {
                 witness,
             } => match check_witness(proposition, witness) {
                 Ok(refutation) => {
-                    let proposition = proposition.clone();
+                    let proposition = Box::new(proposition.clone());
+                    let refutation = Box::new(refutation);
                     Ok(Shown::Refutation {
                         proposition,
                         refutation,

@@ -34,7 +34,8 @@ impl Fact {
     /// # Errors
     /// A [`Diagnostic`] whose span lies in `text`.
     pub fn parse(text: &str) -> Result<Fact, Diagnostic> {
-        let words: [(&str, fn(Formula) -> Fact); 3] = [
+        type Word = (&'static str, fn(Formula) -> Fact);
+        let words: [Word; 3] = [
             ("finite ", Finite),
             ("integer ", Integer),
             ("undefined ", Undefined),

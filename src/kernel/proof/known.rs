@@ -120,12 +120,15 @@ impl Proof<'_> {
         let parameters = &self.proposition.parameters;
         let kind = parameters.iter().find(|p| p.name == *name).map(|p| &p.kind);
         match (kind, parts) {
-            (Some(ParameterKind::Function { kind, from, to, .. }), [at])
-                if matches!(
-                    kind,
-                    FunctionKind::Continuous | FunctionKind::Smooth(_) | FunctionKind::Density
-                ) =>
-            {
+            (
+                Some(ParameterKind::Function {
+                    kind: FunctionKind::Continuous | FunctionKind::Smooth(_) | FunctionKind::Density,
+                    from,
+                    to,
+                    ..
+                }),
+                [at],
+            ) => {
                 let finite = self.finite(from)? && self.finite(at)? && self.finite(to)?;
                 Ok(finite && self.between(from, at, to)?)
             }

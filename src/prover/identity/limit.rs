@@ -28,9 +28,7 @@ pub(super) fn value(
         let there = substitute(inner, &[(draw.name.clone(), var(x))]).ok()?;
         b.finite_step(&there)
     });
-    let Some(finite) = finite else {
-        return None;
-    };
+    let finite = finite?;
     let own = Draw {
         name: draw.name.clone(),
         law: Law::Beta(p, r),

@@ -125,7 +125,7 @@ impl Place {
             b.finite(&slope)?;
             b.positive(&slope)?;
             let fact = Fact::Less(int(0), slope.clone());
-            let sign = b.step(fact, Rule::Order, &[], &[slope.clone()])?;
+            let sign = b.step(fact, Rule::Order, &[], std::slice::from_ref(&slope))?;
             let there = substitute(g, &[(u.clone(), place)]).ok()?;
             let there = Formula::binary(Operator::Multiply, there, slope);
             let same = b.equal(&body_at(r, x)?, &there)?;
