@@ -9,21 +9,20 @@
 //! `CLAIMCHECK_ATTACKS=MUTANTS,ATTACKS` sets how many mutants a theorem and attacks a mutant; without
 //! it there are a few of each.
 
+#[path = "support/dice.rs"]
+mod dice;
 #[path = "support/mutate.rs"]
 mod mutate;
-#[path = "support/values.rs"]
-#[allow(dead_code)]
-mod values;
 
 use claimcheck::formula::{
     Formula, Name, ParameterKind, Point, Proposition, Rational, Statement, parse_formula,
 };
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Rule, Script, parse};
 use claimcheck::kernel::{Witness, check_witness};
+use dice::Dice;
 use mutate::{children, with_child};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use values::Dice;
 
 /// How many points are tried for a witness.
 const POINTS: u64 = 60;

@@ -4,6 +4,8 @@
 //! `CLAIMCHECK_CROSS_CHECK=1000000` tries as many random formulas; without it some thousands.
 #![cfg(feature = "engine")]
 
+#[path = "support/dice.rs"]
+mod dice;
 #[path = "support/values.rs"]
 mod values;
 
@@ -15,9 +17,9 @@ use claimcheck::formula::{
 };
 use claimcheck::kernel::{Unknown, Value, value};
 use claimcheck::number::{Interval, convert};
+use dice::Dice;
 use rayon::prelude::*;
 use std::path::PathBuf;
-use values::Dice;
 
 const BITS: u32 = 128;
 /// Steps of the engine for one value.

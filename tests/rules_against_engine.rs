@@ -7,15 +7,14 @@
 //! `CLAIMCHECK_INSTANCES=1000000` tries as many; without it some thousands.
 #![cfg(feature = "engine")]
 
-#[path = "support/values.rs"]
-#[allow(dead_code)]
-mod values;
+#[path = "support/dice.rs"]
+mod dice;
 
 use claimcheck::evaluate::{Context, Outcome, exact};
 use claimcheck::formula::{Budget, Formula, Operator, Point};
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Proof, Script, parse};
+use dice::Dice;
 use rayon::prelude::*;
-use values::Dice;
 
 /// What became of the instances of one kind.
 #[derive(Clone, Copy, Debug, Default)]
