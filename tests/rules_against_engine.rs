@@ -147,7 +147,10 @@ fn misprinted(lines: &str, dice: &mut Dice) -> String {
     format!("{}{new}{}", &lines[..at], &lines[at + 1..])
 }
 
-const PATTERNS: &[(&str, fn(&mut Dice) -> String)] = &[
+/// Writes a step of a rule with numbers from the dice.
+type Pattern = fn(&mut Dice) -> String;
+
+const PATTERNS: &[(&str, Pattern)] = &[
     ("ring", |d| {
         let (a, b, c) = (many(d), many(d), many(d));
         format!("1: ({a} + {b}/{c})^2 == {a}^2 + 2*{a}*{b}/{c} + ({b}/{c})^2 | ring")

@@ -92,12 +92,15 @@ mod tests {
     #[test]
     fn a_solution_solves() {
         let columns = [column(&[1, 0, 1]), column(&[1, -1, 0]), column(&[0, 2, 1])];
-        let found = solve(&columns, &column(&[3, -1, 2])).expect("a solution");
-        for i in 0..3 {
-            let sum: Rational = (0..3)
-                .map(|j| Rational::from(&columns[j][i] * &found[j]))
+        let wanted = column(&[3, -1, 2]);
+        let found = solve(&columns, &wanted).expect("a solution");
+        for (row, value) in wanted.iter().enumerate() {
+            let sum: Rational = columns
+                .iter()
+                .zip(&found)
+                .map(|(column, times)| Rational::from(&column[row] * times))
                 .sum();
-            assert_eq!(sum, column(&[3, -1, 2])[i]);
+            assert_eq!(&sum, value);
         }
     }
 

@@ -622,10 +622,7 @@ fn densities_given_and_of_order_statistics() {
     let below = format!("int(2*s, s = 0..{at})");
     let found = weight("k", "n", &below, &format!("2*({at})"))
         .replace(&format!("({below})^"), &format!("{below}^"));
-    let density = format!(
-        "9: density(S, {at}) == {} | density 11 14",
-        found.replace(&format!("*(2*({at}))"), &format!("*(2*({at}))"))
-    );
+    let density = format!("9: density(S, {at}) == {} | density 11 14", found);
     yes(&format!("{s}{density}"));
     no(
         &format!("{s}{}", density.replace("11 14", "10 14")),
