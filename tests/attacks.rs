@@ -31,7 +31,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// How many points are tried for a witness: few at first, as most mutants fail at many.
-const POINTS: [usize; 3] = [5, 60, 400];
+const POINTS: [usize; 3] = [2, 40, 400];
 
 #[test]
 fn no_false_statement_is_proved() {
@@ -40,7 +40,7 @@ fn no_false_statement_is_proved() {
     let number = |text: &str| text.parse::<usize>().ok();
     let (mutants, attacks) = wanted
         .and_then(|(a, b)| Some((number(a)?, number(b)?)))
-        .unwrap_or((4, 2));
+        .unwrap_or((2, 4));
     let scripts = scripts(Path::new("proofs/certificates"));
     assert!(scripts.len() > 50, "only {} theorems", scripts.len());
     let next = AtomicUsize::new(0);
