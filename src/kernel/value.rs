@@ -57,7 +57,7 @@ pub(super) fn value_within(
 
 /// What a formula comes to in a scope.
 pub(super) fn evaluate(f: &Formula, scope: &Scope) -> Found<Quantity> {
-    scope.spend(1)?;
+    scope.step()?;
     let result = match f {
         Formula::Number(q) => Interval::exact(q.clone()).into(),
         Formula::Name(name) => scope.look_up(name)?,
