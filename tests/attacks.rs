@@ -1,31 +1,37 @@
 //! Attacks on the kernel: false statements in the place of true ones, with proofs to match.
 //!
-//! For every theorem among the certificates of the book, mutants of its statement are taken that fail
-//! at a point, as the kernel's witness check shows. The proof is then offered for the mutant: with its
+//! For every theorem among the certificates of the book, mutants of what it says are taken that fail
+//! at a point, as the kernel's witness check shows: one or two edits of its sides, another relation,
+//! or a domain that reaches too far. The proof is then offered for the mutant: with its
 //! steps as they were; with the stated results changed to what the mutant needs, all of them or one;
 //! with steps dropped, doubled, swapped or borrowed from other proofs; with another rule or other
-//! premises for its last step. None may be accepted.
+//! premises for its last step. None may be accepted. No attack is counted twice.
 //!
 //! `CLAIMCHECK_ATTACKS=MUTANTS,ATTACKS` sets how many mutants a theorem and attacks a mutant; without
-//! it there are a few of each.
+//! it there are a few of each. A theorem with fewer mutants fails the test.
 
 #[path = "support/dice.rs"]
 mod dice;
+#[path = "support/distort.rs"]
+mod distort;
 #[path = "support/mutate.rs"]
 mod mutate;
 
 use claimcheck::formula::{
-    Formula, Name, ParameterKind, Point, Proposition, Rational, Statement, parse_formula,
+    Condition, Formula, Name, ParameterKind, Point, Proposition, Rational, Relation, Statement,
+    parse_formula,
 };
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Rule, Script, parse};
 use claimcheck::kernel::{Witness, check_witness};
 use dice::Dice;
-use mutate::{children, with_child};
+use distort::{distortions, other_relations, weaker};
+use mutate::{children, misprints, with_child};
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How many points are tried for a witness.
-const POINTS: u64 = 60;
+/// How many points are tried for a witness: few at first, as most mutants fail at many.
+const POINTS: [usize; 3] = [2, 40, 400];
 
 #[test]
 fn no_false_statement_is_proved() {
@@ -34,25 +40,37 @@ fn no_false_statement_is_proved() {
     let number = |text: &str| text.parse::<usize>().ok();
     let (mutants, attacks) = wanted
         .and_then(|(a, b)| Some((number(a)?, number(b)?)))
-        .unwrap_or((1, 12));
+        .unwrap_or((2, 4));
     let scripts = scripts(Path::new("proofs/certificates"));
     assert!(scripts.len() > 50, "only {} theorems", scripts.len());
     let next = AtomicUsize::new(0);
     let worker = || {
         let (mut done, mut least) = (0, usize::MAX);
-        while let Some(script) = scripts.get(next.fetch_add(1, Ordering::Relaxed)) {
+        while let Some((file, script)) = scripts.get(next.fetch_add(1, Ordering::Relaxed)) {
             let mut dice = Dice(script.lines.len() as u64);
             let false_ones = false_mutants(script, mutants, &mut dice);
-            least = least.min(false_ones.len());
+            let found = false_ones.len();
+            assert!(
+                found >= mutants,
+                "{file}: only {found} of {mutants} false mutants of\n{}",
+                script.proposition
+            );
+            least = least.min(found);
             for mutant in &false_ones {
-                for _ in 0..attacks {
+                let mut tried = HashSet::new();
+                for _ in 0..10 * attacks {
+                    if tried.len() == attacks {
+                        break;
+                    }
                     let attacked = attack(script, mutant, &scripts, &mut dice);
-                    done += 1;
-                    assert!(
-                        attacked.check().is_err(),
-                        "accepted:\n{attacked}\nin the place of\n{script}"
-                    );
+                    if tried.insert(attacked.to_string()) {
+                        assert!(
+                            attacked.check().is_err(),
+                            "accepted:\n{attacked}\nin the place of\n{script}"
+                        );
+                    }
                 }
+                done += tried.len();
             }
         }
         (done, least)
@@ -62,69 +80,123 @@ fn no_false_statement_is_proved() {
         let all: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
         let joined = all.into_iter().map(|thread| thread.join());
         joined
-            .map(|result| result.expect("no attack is accepted"))
+            .map(|result| result.expect("enough mutants, and no attack is accepted"))
             .collect()
     });
     let done: usize = results.iter().map(|(done, _)| done).sum();
     let least = results.iter().map(|(_, least)| *least).min();
+    let files: HashSet<&String> = scripts.iter().map(|(file, _)| file).collect();
     println!(
-        "{done} attacks on {} theorems, at least {least:?} false mutants each",
-        scripts.len()
+        "{done} attacks on {} theorems of {} certificates, at least {least:?} false mutants each",
+        scripts.len(),
+        files.len()
     );
 }
 
-fn scripts(folder: &Path) -> Vec<Script> {
+/// The theorems of a folder, each with the name of its file.
+fn scripts(folder: &Path) -> Vec<(String, Script)> {
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .expect("the certificates of the book")
         .map(|entry| entry.expect("a file").path())
         .collect();
     files.sort();
-    let texts = files
-        .iter()
-        .map(|file| std::fs::read_to_string(file).expect("a text"));
-    texts
-        .flat_map(|text| parse(&text).expect("a certificate"))
-        .filter_map(|certificate| match certificate {
-            Certificate::Theorem(script) => Some(script),
-            Certificate::Refutation { .. } => None,
-        })
-        .collect()
+    let mut all = Vec::new();
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("a text");
+        for certificate in parse(&text).expect("a certificate") {
+            if let Certificate::Theorem(script) = certificate {
+                all.push((file.display().to_string(), script));
+            }
+        }
+    }
+    all
 }
 
-/// A statement that fails, and where it differs from the true one.
+/// A proposition that fails, and where it differs from the true one in a formula.
 struct Mutant {
-    statement: Statement,
+    proposition: Proposition,
     link: usize,
-    old: Formula,
-    new: Formula,
+    difference: Option<(Formula, Formula)>,
 }
 
-/// Mutants of what a script proves that the kernel refutes at a point.
+/// Mutants of what a script proves that the kernel refutes at a point: of one edit, then of two.
 fn false_mutants(script: &Script, count: usize, dice: &mut Dice) -> Vec<Mutant> {
-    let parameters = script.proposition.parameters.iter();
-    let integers: Vec<Name> = parameters
-        .filter(|parameter| parameter.kind == ParameterKind::Integer)
-        .map(|parameter| parameter.name.clone())
-        .collect();
-    let mut all = mutate::mutants(&script.proposition.statement, &integers);
-    let mut found = Vec::new();
-    while found.len() < count && !all.is_empty() {
-        let statement = all.swap_remove(dice.roll(all.len() as u64) as usize);
-        found.extend(refuted(script, statement, dice));
+    let truth = &script.proposition;
+    let mut found: Vec<Mutant> = Vec::new();
+    let mut seen = HashSet::from([truth.to_string()]);
+    for points in POINTS {
+        let mut single = edited(truth);
+        let mut double = 20 * count;
+        while found.len() < count {
+            let candidate = if !single.is_empty() {
+                single.swap_remove(dice.roll(single.len() as u64) as usize)
+            } else if double > 0 {
+                double -= 1;
+                one_of(edited(&one_of(edited(truth), dice)), dice)
+            } else {
+                break;
+            };
+            if seen.contains(&candidate.to_string()) {
+                continue;
+            }
+            if let Some(mutant) = refuted(script, candidate, points, dice) {
+                seen.insert(mutant.proposition.to_string());
+                found.push(mutant);
+            }
+        }
     }
     found
 }
 
-fn refuted(script: &Script, statement: Statement, dice: &mut Dice) -> Option<Mutant> {
-    let (old, new) = first_difference(&script.proposition.statement, &statement)?;
-    let proposition = Proposition {
-        statement,
-        ..script.proposition.clone()
+fn one_of<T>(mut all: Vec<T>, dice: &mut Dice) -> T {
+    all.swap_remove(dice.roll(all.len() as u64) as usize)
+}
+
+/// Every proposition that differs by one edit.
+fn edited(proposition: &Proposition) -> Vec<Proposition> {
+    let names = |wanted: fn(&ParameterKind) -> bool| -> Vec<Name> {
+        let parameters = proposition.parameters.iter();
+        parameters
+            .filter(|parameter| wanted(&parameter.kind))
+            .map(|parameter| parameter.name.clone())
+            .collect()
     };
-    for attempt in 0..POINTS {
+    let integers = names(|kind| *kind == ParameterKind::Integer);
+    let numbers = names(|kind| !matches!(kind, ParameterKind::Function { .. }));
+    let edits = |formula: &Formula| {
+        let mut all = misprints(formula, &integers);
+        all.extend(distortions(formula, &numbers));
+        all
+    };
+    let mut statements = mutate::mutants(&proposition.statement, &edits);
+    statements.extend(other_relations(&proposition.statement));
+    let mut all: Vec<Proposition> = statements
+        .into_iter()
+        .map(|statement| Proposition {
+            statement,
+            ..proposition.clone()
+        })
+        .collect();
+    for (at, condition) in proposition.domain.iter().enumerate() {
+        for weaker in weaker(condition) {
+            let mut wider = proposition.clone();
+            wider.domain[at] = weaker;
+            all.push(wider);
+        }
+    }
+    all
+}
+
+fn refuted(
+    script: &Script,
+    proposition: Proposition,
+    points: usize,
+    dice: &mut Dice,
+) -> Option<Mutant> {
+    for attempt in 0..points {
         let point = match attempt {
             0 => script.example.clone(),
-            _ => some_point(&proposition, dice),
+            _ => some_point(script, dice),
         };
         for (link, _) in &script.links {
             let witness = Witness {
@@ -132,12 +204,11 @@ fn refuted(script: &Script, statement: Statement, dice: &mut Dice) -> Option<Mut
                 link: *link,
             };
             if check_witness(&proposition, &witness).is_ok() {
-                let statement = proposition.statement;
+                let difference = first_difference(&script.proposition, &proposition);
                 return Some(Mutant {
-                    statement,
+                    proposition,
                     link: *link,
-                    old,
-                    new,
+                    difference,
                 });
             }
         }
@@ -145,14 +216,22 @@ fn refuted(script: &Script, statement: Statement, dice: &mut Dice) -> Option<Mut
     None
 }
 
-/// A point with small numbers; most lie in the domain or not far from it.
-fn some_point(proposition: &Proposition, dice: &mut Dice) -> Point {
-    let mut point = Point::default();
-    for parameter in &proposition.parameters {
+/// A point with small numbers, some of them those of the example: most lie in the domain or not far
+/// from it.
+fn some_point(script: &Script, dice: &mut Dice) -> Point {
+    let mut point = script.example.clone();
+    let kept = dice.roll(4);
+    for parameter in &script.proposition.parameters {
+        if dice.roll(4) < kept {
+            continue;
+        }
         let name = parameter.name.clone();
         let number = match &parameter.kind {
-            ParameterKind::Integer => Rational::from_integer((1 + dice.roll(5)).into()),
-            ParameterKind::Real => Rational::new(dice.roll(7).into(), (1 + dice.roll(4)).into()),
+            ParameterKind::Integer => Rational::from_integer(dice.roll(7).into()),
+            ParameterKind::Real => {
+                let above = dice.roll(9) as i64 - 1;
+                Rational::new(above.into(), (1 + dice.roll(4)).into())
+            }
             ParameterKind::Function { argument, .. } => {
                 let bodies = ["1", "2*(x)", "6*(x)*(1 - (x))", "3*(x)^2"];
                 let body = bodies[dice.roll(4) as usize].replace("(x)", argument);
@@ -166,20 +245,35 @@ fn some_point(proposition: &Proposition, dice: &mut Dice) -> Point {
     point
 }
 
-/// The links of a statement, as pairs of sides.
-fn sides(statement: &Statement) -> Vec<&Formula> {
+/// The chains of relations that the domain and the statement are made of.
+fn chains(proposition: &Proposition) -> Vec<(&Formula, &[(Relation, Formula)])> {
+    let mut all = Vec::new();
+    for condition in &proposition.domain {
+        if let Condition::Chain(first, links) = condition {
+            all.push((first, links.as_slice()));
+        }
+    }
+    all.extend(stated(&proposition.statement));
+    all
+}
+
+fn stated(statement: &Statement) -> Vec<(&Formula, &[(Relation, Formula)])> {
     match statement {
-        Statement::Chain { first, links, .. } => std::iter::once(first)
-            .chain(links.iter().map(|(_, right)| right))
-            .collect(),
-        Statement::All(parts) => parts.iter().flat_map(sides).collect(),
+        Statement::Chain { first, links, .. } => vec![(first, links.as_slice())],
+        Statement::All(parts) => parts.iter().flat_map(stated).collect(),
         _ => Vec::new(),
     }
 }
 
-fn first_difference(a: &Statement, b: &Statement) -> Option<(Formula, Formula)> {
-    let (a, b) = (sides(a), sides(b));
-    let (a, b) = a.into_iter().zip(b).find(|(a, b)| a != b)?;
+fn first_difference(a: &Proposition, b: &Proposition) -> Option<(Formula, Formula)> {
+    let sides = |proposition| {
+        let chains = chains(proposition).into_iter();
+        let sides = chains.flat_map(|(first, links)| {
+            std::iter::once(first).chain(links.iter().map(|(_, right)| right))
+        });
+        sides.collect::<Vec<&Formula>>()
+    };
+    let (a, b) = sides(a).into_iter().zip(sides(b)).find(|(a, b)| a != b)?;
     Some(innermost(a, b))
 }
 
@@ -222,34 +316,30 @@ fn fact_replaced(fact: &Fact, old: &Formula, new: &Formula) -> Fact {
     }
 }
 
-/// The links of a statement as facts, in order.
-fn facts(statement: &Statement) -> Vec<Option<Fact>> {
-    match statement {
-        Statement::Chain { first, links, .. } => {
-            let mut left = first;
-            let mut all = Vec::new();
-            for (relation, right) in links {
-                all.push(Fact::of_relation(left, *relation, right));
-                left = right;
-            }
-            all
+/// The relations of chains as facts, in order.
+fn facts(chains: Vec<(&Formula, &[(Relation, Formula)])>) -> Vec<Option<Fact>> {
+    let mut all = Vec::new();
+    for (first, links) in chains {
+        let mut left = first;
+        for (relation, right) in links {
+            all.push(Fact::of_relation(left, *relation, right));
+            left = right;
         }
-        Statement::All(parts) => parts.iter().flat_map(facts).collect(),
-        _ => Vec::new(),
     }
+    all
 }
 
 /// The proof of a true statement, turned into one of the mutant.
-fn attack(script: &Script, mutant: &Mutant, all: &[Script], dice: &mut Dice) -> Script {
+fn attack(script: &Script, mutant: &Mutant, all: &[(String, Script)], dice: &mut Dice) -> Script {
     let mut attacked = script.clone();
-    attacked.proposition.statement = mutant.statement.clone();
+    attacked.proposition = mutant.proposition.clone();
     let (was, needed) = (
-        facts(&script.proposition.statement),
-        facts(&mutant.statement),
+        facts(chains(&script.proposition)),
+        facts(chains(&mutant.proposition)),
     );
     let way = dice.roll(12);
     if way > 0 {
-        // The steps that state a link state the mutant's.
+        // The steps that state a link or a condition state the mutant's.
         for line in &mut attacked.lines {
             if let Line::Step { fact, .. } = line
                 && let Some(link) = was.iter().position(|link| link.as_ref() == Some(fact))
@@ -288,7 +378,7 @@ fn attack(script: &Script, mutant: &Mutant, all: &[Script], dice: &mut Dice) -> 
             attacked.lines.swap(at, with);
         }
         9 => {
-            let other = &all[dice.roll(all.len() as u64) as usize];
+            let (_, other) = &all[dice.roll(all.len() as u64) as usize];
             let from = some(dice, &other.lines);
             insert_line(&mut attacked, at, other.lines[from].clone());
         }
@@ -362,7 +452,9 @@ fn renumber(script: &mut Script, number: impl Fn(usize) -> usize) {
 
 /// The line states what the mutant needs of it.
 fn needs(line: &mut Line, mutant: &Mutant) {
-    let (old, new) = (&mutant.old, &mutant.new);
+    let Some((old, new)) = &mutant.difference else {
+        return;
+    };
     match line {
         Line::Step {
             fact, arguments, ..
@@ -383,7 +475,8 @@ fn needs(line: &mut Line, mutant: &Mutant) {
 
 /// The line that states the mutant's false link.
 fn last_of<'s>(script: &'s mut Script, mutant: &Mutant) -> Option<&'s mut Line> {
-    let needed = facts(&mutant.statement).into_iter().nth(mutant.link)??;
+    let links = facts(stated(&mutant.proposition.statement));
+    let needed = links.into_iter().nth(mutant.link)??;
     script
         .lines
         .iter_mut()

@@ -74,7 +74,9 @@ fn mutants_of(claim: &Claim) -> Vec<Mutant> {
         .collect();
     std::iter::once(&claim.says)
         .chain(&claim.mend)
-        .flat_map(|statement| mutate::mutants(statement, &integers))
+        .flat_map(|statement| {
+            mutate::mutants(statement, &|formula| mutate::misprints(formula, &integers))
+        })
         .map(|statement| {
             let mut claim = claim.clone();
             claim.says = statement;

@@ -101,6 +101,11 @@ impl<'a> Scope<'a> {
         }
     }
 
+    /// Takes the step of one node: beside it every bound name is looked at or copied.
+    pub fn step(&self) -> Result<(), Unknown> {
+        self.spend(1 + self.bound.len() as u64 / 4)
+    }
+
     pub fn binds(&self, name: &Name) -> bool {
         self.bound.iter().any(|(bound, _)| bound == name)
     }

@@ -16,6 +16,7 @@ use super::{Found, Unknown, calculus, hypergeometric, integrand, law, unknown};
 use crate::formula::{Draw, Formula, Function, Name, Operator, Point, RangeKind, Ranged, Rational};
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive};
+use std::cell::Cell;
 use std::cmp::Ordering;
 
 /// No value is asked for with more bits.
@@ -44,9 +45,19 @@ pub fn value(
     ))
 }
 
+/// The value of a formula without names, with work from another's store.
+pub(super) fn value_within(
+    formula: &Formula,
+    bits: u64,
+    fuel: &Cell<u64>,
+) -> Result<Value, Unknown> {
+    let nothing = Point::default();
+    as_value(evaluate(formula, &Scope::new(&nothing, &[], bits, fuel)))
+}
+
 /// What a formula comes to in a scope.
 pub(super) fn evaluate(f: &Formula, scope: &Scope) -> Found<Quantity> {
-    scope.spend(1)?;
+    scope.step()?;
     let result = match f {
         Formula::Number(q) => Interval::exact(q.clone()).into(),
         Formula::Name(name) => scope.look_up(name)?,

@@ -3,9 +3,12 @@
 use claimcheck::formula::{Condition, Formula, Name, Operator, Ranged, Statement};
 use num_traits::{One, Zero};
 
-/// Every statement that differs from `statement` by one edit: a sign, an exponent, an index, a factor or
-/// a constant. Order terms are left alone (a coarser order is true), and so are limits' targets.
-pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
+/// Every statement that differs from `statement` by one edit of a formula. Order terms are left alone
+/// (a coarser order is true), and so are limits' targets.
+pub fn mutants(
+    statement: &Statement,
+    edits_of: &dyn Fn(&Formula) -> Vec<Formula>,
+) -> Vec<Statement> {
     match statement {
         Statement::Chain {
             first,
@@ -13,7 +16,7 @@ pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
             regime,
         } => {
             let mut all = Vec::new();
-            for edited in edits(first, integers) {
+            for edited in edits(first, edits_of) {
                 all.push(Statement::Chain {
                     first: edited,
                     links: links.clone(),
@@ -21,7 +24,7 @@ pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
                 });
             }
             for (index, (relation, right)) in links.iter().enumerate() {
-                for edited in edits(right, integers) {
+                for edited in edits(right, edits_of) {
                     let mut links = links.clone();
                     links[index] = (*relation, edited);
                     all.push(Statement::Chain {
@@ -36,7 +39,7 @@ pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
         Statement::All(parts) => {
             let mut all = Vec::new();
             for (index, part) in parts.iter().enumerate() {
-                for edited in mutants(part, integers) {
+                for edited in mutants(part, edits_of) {
                     let mut parts = parts.clone();
                     parts[index] = edited;
                     all.push(Statement::All(parts));
@@ -48,19 +51,19 @@ pub fn mutants(statement: &Statement, integers: &[Name]) -> Vec<Statement> {
     }
 }
 
-/// Every formula that differs from `formula` by one edit.
-fn edits(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
-    let mut all = here(formula, integers);
+/// Every formula that differs from `formula` by one edit, at its root or below.
+fn edits(formula: &Formula, edits_of: &dyn Fn(&Formula) -> Vec<Formula>) -> Vec<Formula> {
+    let mut all = edits_of(formula);
     for (index, child) in children(formula).into_iter().enumerate() {
-        for edited in edits(child, integers) {
+        for edited in edits(child, edits_of) {
             all.push(with_child(formula, index, edited));
         }
     }
     all
 }
 
-/// The edits at the root of `formula`.
-fn here(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
+/// Misprints at the root of `formula`: a sign, an exponent, an index, a factor or a constant.
+pub fn misprints(formula: &Formula, integers: &[Name]) -> Vec<Formula> {
     let binary = Formula::binary;
     match formula {
         Formula::Number(value) => {

@@ -34,6 +34,8 @@ use std::fmt::{Display, Formatter, Result as Printed};
 
 /// No longer certificate is read.
 const TEXT_CAP: usize = 4 << 20;
+/// No text holds more certificates: each may take a full store of work.
+const CERTIFICATES_CAP: usize = 16;
 
 /// One line of a proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -233,6 +235,9 @@ fn read(text: &str) -> Result<Vec<Read>, Flaw> {
     }
     let mut all = Vec::new();
     while let Some(line) = lines.next() {
+        if all.len() == CERTIFICATES_CAP && !line.is_empty() {
+            return lines.flaw("too many certificates in one text");
+        }
         match line {
             "" => {}
             "theorem" => all.push(theorem(&mut lines)?),

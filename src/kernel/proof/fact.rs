@@ -1,8 +1,8 @@
 //! What a step of a proof says.
 
 use crate::formula::{
-    Condition, Diagnostic, Formula, Name, Relation, Span, TooLarge, free_names, parse_condition,
-    parse_formula, substitute,
+    Condition, Diagnostic, Formula, Name, Relation, Span, free_names, parse_condition,
+    parse_formula,
 };
 use std::collections::BTreeSet;
 use std::fmt::{Display, Formatter, Result as Printed};
@@ -111,20 +111,6 @@ impl Fact {
     /// The names whose meaning it depends on.
     pub(super) fn names(&self) -> BTreeSet<Name> {
         self.sides().into_iter().flat_map(free_names).collect()
-    }
-
-    /// The fact with formulas in the place of names.
-    pub(super) fn substituted(&self, values: &[(Name, Formula)]) -> Result<Fact, TooLarge> {
-        let put = |formula: &Formula| substitute(formula, values);
-        Ok(match self {
-            Same(a, b) => Same(put(a)?, put(b)?),
-            Less(a, b) => Less(put(a)?, put(b)?),
-            AtMost(a, b) => AtMost(put(a)?, put(b)?),
-            Different(a, b) => Different(put(a)?, put(b)?),
-            Finite(a) => Finite(put(a)?),
-            Integer(a) => Integer(put(a)?),
-            Undefined(a) => Undefined(put(a)?),
-        })
     }
 
     /// What holds where it does not, for relations between finite numbers.

@@ -33,15 +33,16 @@ macro_rules! all {
 }
 
 impl Proof<'_> {
-    /// The facts proved in this block and those around it.
-    fn sight(&self) -> impl Iterator<Item = (Step, &Proved)> {
+    /// The facts proved in this block and those around it. All steps are looked through for them.
+    fn sight(&self) -> Result<impl Iterator<Item = (Step, &Proved)>, Rejected> {
+        self.spend(self.steps.len() as u64 / 16)?;
         let steps = self.steps.iter().enumerate();
-        steps.filter(|(_, proved)| self.open.starts_with(&proved.blocks))
+        Ok(steps.filter(|(_, proved)| self.open.starts_with(&proved.blocks)))
     }
 
     /// Whether a fact in sight is what is looked for.
     pub(super) fn sees(&self, is_it: impl Fn(&Proved) -> Known) -> Known {
-        for (step, proved) in self.sight() {
+        for (step, proved) in self.sight()? {
             self.spend(1)?;
             if is_it(proved)? {
                 self.seen.borrow_mut().push(step);
@@ -208,7 +209,7 @@ impl Proof<'_> {
             });
         }
         let negated = own.negated();
-        for (step, proved) in self.sight() {
+        for (step, proved) in self.sight()? {
             let Some(difference) = &proved.difference else {
                 continue;
             };
@@ -345,27 +346,6 @@ impl Proof<'_> {
     fn not_positive(&self, a: &Formula) -> Known {
         let negated = Formula::Negate(Box::new(a.clone()));
         Ok(self.zero(a)? || (self.finite(a)? && self.nonnegative(&negated)?))
-    }
-
-    /// Whether what a block supposes holds here.
-    pub(super) fn holds(&self, fact: &Fact) -> Known {
-        match fact {
-            Fact::Less(a, b) => all!(self.finite(a), self.finite(b), self.positive(&above(a, b))),
-            Fact::AtMost(a, b) => {
-                all!(
-                    self.finite(a),
-                    self.finite(b),
-                    self.nonnegative(&above(a, b))
-                )
-            }
-            Fact::Different(a, b) => {
-                all!(self.finite(a), self.finite(b), self.nonzero(&above(a, b)))
-            }
-            Fact::Same(a, b) => self.equal(a, b),
-            Fact::Finite(a) => self.finite(a),
-            Fact::Integer(a) => all!(self.finite(a), self.integer(a)),
-            Fact::Undefined(a) => self.undefined(a),
-        }
     }
 }
 

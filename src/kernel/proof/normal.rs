@@ -78,6 +78,11 @@ impl Polynomial {
         self
     }
 
+    /// The length of its longest monomial.
+    fn atoms(&self) -> usize {
+        self.0.keys().map(Monomial::len).max().unwrap_or(0)
+    }
+
     /// The length of its longest coefficient.
     fn bits(&self) -> u64 {
         let bits = |c: &Rational| c.numer().bits() + c.denom().bits();
@@ -89,7 +94,7 @@ impl Polynomial {
         require(size <= TERMS_CAP, "a polynomial with too many terms")?;
         let bits = self.bits() + other.bits();
         require(bits <= BITS_CAP, "a coefficient that is too large")?;
-        fuel.spend(size as u64 * (1 + bits / 64))?;
+        fuel.spend(size as u64 * toll(bits, self.atoms() + other.atoms()))?;
         let mut product = Polynomial::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
@@ -109,6 +114,12 @@ impl Polynomial {
         }
         Ok(result)
     }
+}
+
+/// What the work on one term takes: coefficients are reduced, which is quadratic in their length.
+fn toll(bits: u64, atoms: usize) -> u64 {
+    let words = bits / 64;
+    1 + words * words + atoms as u64 / 8
 }
 
 /// Adds exponents.
@@ -192,7 +203,8 @@ impl Fraction {
         let (a, b) = (self.over(&below, fuel)?, other.over(&below, fuel)?);
         let bits = a.bits() + b.bits();
         require(bits <= BITS_CAP, "a coefficient that is too large")?;
-        fuel.spend((a.0.len() + b.0.len()) as u64)?;
+        let terms = (a.0.len() + b.0.len()) as u64;
+        fuel.spend(terms * toll(bits, a.atoms().max(b.atoms())))?;
         Ok(Fraction {
             above: a.plus(&b),
             below,

@@ -66,9 +66,6 @@ rules! {
     /// Anything from the same fact proved in a block that supposes P and in one that supposes not P,
     /// P a relation of finite numbers.
     Cases "cases" "",
-    /// A fact proved in blocks, with the arguments in the place of the variables, where these are of
-    /// their types and what the blocks suppose holds.
-    Instance "instance" "",
     /// `int(e, x = a..b) == F[x:=b] - F[x:=a]` for `a <= b`, F the argument, from `finite F` on
     /// [a..b], `F' == e` on a..b, and `finite e` on [a..b]; F and e continuous there.
     Primitive "primitive" "DLMF 1.4(v)",

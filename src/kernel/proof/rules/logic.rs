@@ -4,14 +4,13 @@ use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
-use crate::formula::{Formula, Operator, Point, free_functions, free_names};
-use crate::kernel::{Value, value};
+use crate::formula::{Formula, Operator, free_functions, free_names};
+use crate::kernel::Value;
+use crate::kernel::value::value_within;
 use num_traits::One;
 
 /// The bits for values of closed formulas; an exact value needs none of them.
-const BITS: u32 = 64;
-/// What one of them takes from a proof's store of work: a proof computes a few, and small ones.
-const COMPUTE_FUEL: u64 = 1_000_000;
+const BITS: u64 = 64;
 
 impl Check<'_, '_> {
     pub(super) fn given(&self) -> Checked {
@@ -138,8 +137,7 @@ impl Check<'_, '_> {
         };
         let closed = free_names(e).is_empty() && free_functions(e).is_empty();
         require(closed, "a formula with names has no one value")?;
-        self.proof.spend(COMPUTE_FUEL)?;
-        let found = match value(e, &Point::default(), &[], BITS) {
+        let found = match value_within(e, BITS, &self.proof.fuel.0) {
             Ok(found) => found,
             Err(_) => return reject("the value is not found"),
         };
@@ -170,29 +168,6 @@ impl Check<'_, '_> {
         p.sides()
             .into_iter()
             .try_for_each(|side| self.is_finite(side))
-    }
-
-    pub(super) fn instance(&self) -> Checked {
-        let premise = self.premise(0)?;
-        let count = premise.variables.len() == self.arguments.len();
-        require(count, "an argument for each variable")?;
-        let mut values = Vec::new();
-        for (variable, argument) in premise.variables.iter().zip(self.arguments) {
-            match variable.integer {
-                true => self.is_integer(argument)?,
-                false => self.is_finite(argument)?,
-            }
-            values.push((variable.name.clone(), argument.clone()));
-        }
-        for hypothesis in premise.hypotheses {
-            let here = hypothesis.substituted(&values)?;
-            require(
-                self.proof.holds(&here)?,
-                "what the premise supposes is not known here",
-            )?;
-        }
-        let found = premise.fact.substituted(&values)?;
-        require(found == *self.fact, "the instance is another fact")
     }
 
     /// Whether a formula is the number 1 by arithmetic.

@@ -54,7 +54,6 @@ impl Proof<'_> {
             Rule::None => check.none(),
             Rule::Compute => check.compute(),
             Rule::Cases => check.cases(),
-            Rule::Instance => check.instance(),
             Rule::Primitive => check.primitive(),
             Rule::Substitution => check.substitution(),
             Rule::Scale => check.scale(),

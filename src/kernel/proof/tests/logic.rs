@@ -302,56 +302,6 @@ fn cases() {
 }
 
 #[test]
-fn instances() {
-    let lemma = "{ j int, z real | 5: 0 < z | 6: j < k\n7: 0 < z*x | order\n}\n{ | 8: k < n\n}\n";
-    yes(&format!("{lemma}9: 0 < x*x | instance 7 | k - 1 | x"));
-    no(
-        &format!("{lemma}9: 0 < x*x | instance 7 | x | x"),
-        "an integer",
-    );
-    no(
-        &format!("{lemma}9: 0 < 1/y*x | instance 7 | k - 1 | 1/y"),
-        "finite",
-    );
-    no(
-        &format!("{lemma}9: 0 < y*x | instance 7 | k - 1 | y"),
-        "not known here",
-    );
-    no(
-        &format!("{lemma}9: 0 < x*x | instance 7 | k | x"),
-        "not known here",
-    );
-    no(
-        &format!("{lemma}9: 0 < x*x | instance 7 | k - 1"),
-        "an argument for each",
-    );
-    no(
-        &format!("{lemma}9: 0 < x | instance 7 | k - 1 | x"),
-        "another fact",
-    );
-    no(&format!("{lemma}9: k < n | instance 8"), "not known here");
-    let all =
-        "{ | 5: k <= n | 6: x != 0 | 7: k == k | 8: finite x | 10: integer k | 11: undefined 1/0\n
-        12: 0 < x | order\n}\n";
-    yes(&format!("{all}9: 0 < x | instance 12"));
-    for hypothesis in [
-        "n <= k",
-        "y != 0",
-        "k == n",
-        "finite 1/y",
-        "integer x",
-        "undefined 1/y",
-        "0 < 1/y",
-        "0 <= 1/y",
-        "1/y != 0",
-        "integer y/y",
-    ] {
-        let block = format!("{{ | 5: {hypothesis}\n6: 0 < x | order\n}}\n");
-        no(&format!("{block}9: 0 < x | instance 6"), "not known here");
-    }
-}
-
-#[test]
 fn equals_for_equals() {
     let facts = "{ | 5: x == f(y) | 6: y == f(k)\n";
     yes(&format!(
