@@ -2,8 +2,9 @@
 //! evaluator refuses places where the result has no value, so that nothing is concluded from a rule
 //! outside of its domain.
 
+use super::exact;
 use super::scope::Scope;
-use super::{Failure, unsupported};
+use super::{Failure, Outcome, unsupported};
 use crate::formula::{Formula, Function, Name, Operator, Part, RangeKind, Ranged, substitute};
 
 /// Larger derivatives are refused.
@@ -165,8 +166,8 @@ fn binary(
     })
 }
 
-/// (u^n)' = n u^(n-1) u' for an exponent that does not change, with u^n/u for u^(n-1) unless n is an
-/// integer as written, so that u = 0 is excluded; else u^v (v' ln u + v u'/u).
+/// (u^n)' = n u^(n-1) u' for an exponent that does not change, with u^n/u for u^(n-1) unless the value
+/// of n here is known to be an integer, so that u = 0 is excluded; else u^v (v' ln u + v u'/u).
 fn power_derivative(
     base: &Formula,
     exponent: &Formula,
@@ -176,17 +177,10 @@ fn power_derivative(
     let (u, v) = (base.clone(), exponent.clone());
     let du = derivative(base, name, scope)?;
     if !depends(exponent, name, scope)? {
-        let lower = match exponent {
-            Formula::Number(n) if n.is_integer() => {
-                if *n == num_rational::BigRational::from_integer(0.into()) {
-                    return Ok(zero());
-                }
-                power(
-                    u,
-                    Formula::Number(n - num_rational::BigRational::from_integer(1.into())),
-                )
-            }
-            _ => divide(power(u.clone(), v.clone()), u),
+        let lower = match whole(exponent, scope) {
+            Some(0) => return Ok(zero()),
+            Some(n) => power(u, Formula::integer(n - 1)),
+            None => divide(power(u.clone(), v.clone()), u),
         };
         return Ok(multiply(multiply(v, lower), du));
     }
@@ -196,6 +190,16 @@ fn power_derivative(
         divide(multiply(v.clone(), du), u.clone()),
     );
     Ok(multiply(power(u, v), logarithmic))
+}
+
+/// The value of an exponent that is a small integer here.
+fn whole(exponent: &Formula, scope: &Scope) -> Option<i64> {
+    let Ok(Outcome::Value(value)) = exact::closed(exponent, scope) else {
+        return None;
+    };
+    let value = value.as_rational()?;
+    let value = value.is_integer().then(|| value.numer().to_i64())??;
+    value.checked_sub(1).map(|_| value)
 }
 
 /// The derivative of a function at its argument.

@@ -1,6 +1,7 @@
 //! Statements: what a claim says of its formulas.
 
-use super::{Condition, Formula, Name, Relation};
+use super::{Condition, Formula, Name, Operator, Part, Relation, free_names};
+use std::borrow::Cow;
 
 /// What a claim states of its formulas.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -70,4 +71,120 @@ pub enum Target {
     Above(Formula),
     /// `a-`, from below.
     Below(Formula),
+}
+
+impl Statement {
+    /// What the statement says at single points. An equation with `int(e, x)`, an antiderivative, is
+    /// one up to a constant in x on every interval: it says that the derivatives are equal. One whose
+    /// antiderivatives are not added up, with factors free of x, stays as it is.
+    pub fn pointwise(&self) -> Cow<'_, Statement> {
+        match self {
+            Statement::Chain {
+                first,
+                links,
+                regime: None,
+            } => match derivatives(first, links) {
+                Some((first, links)) => Cow::Owned(Statement::Chain {
+                    first,
+                    links,
+                    regime: None,
+                }),
+                None => Cow::Borrowed(self),
+            },
+            Statement::All(parts) => {
+                let parts: Vec<_> = parts.iter().map(Statement::pointwise).collect();
+                match parts.iter().any(|part| matches!(part, Cow::Owned(_))) {
+                    true => Cow::Owned(Statement::All(
+                        parts.into_iter().map(Cow::into_owned).collect(),
+                    )),
+                    false => Cow::Borrowed(self),
+                }
+            }
+            _ => Cow::Borrowed(self),
+        }
+    }
+}
+
+/// A chain, with its relations on the right.
+type Chain = (Formula, Vec<(Relation, Formula)>);
+
+/// The chain of the derivatives, for a chain of equations in which an antiderivative stands.
+fn derivatives(first: &Formula, links: &[(Relation, Formula)]) -> Option<Chain> {
+    let sides = || std::iter::once(first).chain(links.iter().map(|(_, right)| right));
+    let x = sides().find_map(|side| variable(Part::Formula(side)))?;
+    let equations = links
+        .iter()
+        .all(|(relation, _)| *relation == Relation::Equal);
+    let mut derived = sides()
+        .map(|side| derivative(side, &x))
+        .collect::<Option<Vec<_>>>()
+        .filter(|_| equations)?
+        .into_iter();
+    let first = derived.next()?;
+    Some((
+        first,
+        derived.map(|right| (Relation::Equal, right)).collect(),
+    ))
+}
+
+/// The variable of an antiderivative in the formula.
+fn variable(part: Part) -> Option<Name> {
+    if let Part::Formula(Formula::Antiderivative(_, x)) = part {
+        return Some(x.clone());
+    }
+    let mut found = None;
+    part.each(&mut |inner, _| found = found.take().or_else(|| variable(inner)));
+    found
+}
+
+/// The derivative of a sum of antiderivatives and other terms.
+fn derivative(formula: &Formula, x: &Name) -> Option<Formula> {
+    if variable(Part::Formula(formula)).is_none() {
+        let once = Box::new(Formula::integer(1));
+        return Some(Formula::Derivative(
+            Box::new(formula.clone()),
+            x.clone(),
+            once,
+        ));
+    }
+    let still = |factor: &Formula| !free_names(factor).contains(x);
+    match formula {
+        Formula::Antiderivative(e, own) if own == x && variable(Part::Formula(e)).is_none() => {
+            Some((**e).clone())
+        }
+        Formula::Negate(a) => Some(Formula::Negate(Box::new(derivative(a, x)?))),
+        Formula::Binary(operator @ (Operator::Add | Operator::Subtract), a, b) => Some(
+            Formula::binary(*operator, derivative(a, x)?, derivative(b, x)?),
+        ),
+        Formula::Binary(Operator::Multiply, a, b) if still(a) => Some(Formula::binary(
+            Operator::Multiply,
+            (**a).clone(),
+            derivative(b, x)?,
+        )),
+        Formula::Binary(operator @ (Operator::Multiply | Operator::Divide), a, b) if still(b) => {
+            Some(Formula::binary(*operator, derivative(a, x)?, (**b).clone()))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::formula::parse_statement;
+
+    #[test]
+    fn equations_up_to_a_constant_are_equations_of_derivatives() {
+        for (statement, pointwise) in [
+            ("int(1/x, x) == ln(x)", "1/x == diff(ln(x), x, 1)"),
+            ("2*int(x, x) - int(1, x)/3 == -int(a, x)", "2*x - 1/3 == -a"),
+            ("x*int(x, x) == x^3/2", "x*int(x, x) == x^3/2"),
+            ("int(int(x, x), x) == x^3/6", "int(int(x, x), x) == x^3/6"),
+            ("int(x, x) < x^2", "int(x, x) < x^2"),
+            ("1 == 1 and int(0, x) == 2", "1 == 1 and 0 == diff(2, x, 1)"),
+        ] {
+            let read = parse_statement(statement).expect(statement);
+            let expected = parse_statement(pointwise).expect(pointwise);
+            assert_eq!(*read.pointwise(), expected, "{statement}");
+        }
+    }
 }

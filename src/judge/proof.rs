@@ -28,7 +28,8 @@ pub fn decide(
     {
         return against(refuted, theorem());
     }
-    let mut trial = match Trial::new(proposition, budget, settings) {
+    let statement = proposition.statement.pointwise();
+    let mut trial = match Trial::new(proposition, &statement, budget, settings) {
         Ok(trial) => trial,
         Err(finding) => return *finding,
     };

@@ -20,23 +20,25 @@ pub enum AtPoint {
     TooCostly,
 }
 
-/// Steps that one point may take: some hundredths of a second, so that a handful of large points
-/// cannot eat the budget of a claim.
-const STEPS_A_POINT: u64 = 20_000;
+/// Steps that one point may take at first: some hundredths of a second, so that a handful of large
+/// points cannot eat the budget of a claim.
+pub const STEPS_A_POINT: u64 = 20_000;
 
 /// The least working precision in bits, and the greatest as a multiple of what the digits ask for.
 const FIRST_PRECISION: u32 = 64;
 const MOST_PRECISION_FACTOR: u32 = 16;
 
-/// Decides `left RELATION right` at the point of `context`; enclosures must agree to `digits` digits.
+/// Decides `left RELATION right` at the point of `context`, within `steps` for the exact values and as
+/// many for enclosures, which must agree to `digits` digits.
 pub fn relate(
     left: &Formula,
     relation: Relation,
     right: &Formula,
     context: &Context,
     digits: u32,
+    steps: u64,
 ) -> AtPoint {
-    let exact = allowance(context, |context| {
+    let exact = allowance(context, steps, |context| {
         let sides = (
             evaluate::exact(left, context),
             evaluate::exact(right, context),
@@ -54,14 +56,14 @@ pub fn relate(
     if !matches!(exact, AtPoint::Unknown(_) | AtPoint::TooCostly) {
         return exact;
     }
-    allowance(context, |context| {
+    allowance(context, steps, |context| {
         relate_enclosed(left, relation, right, context, digits)
     })
 }
 
 /// Tries with the steps that a point may take, and charges what was spent.
-fn allowance(context: &Context, attempt: impl Fn(&Context) -> AtPoint) -> AtPoint {
-    let own = Budget::new(STEPS_A_POINT);
+fn allowance(context: &Context, steps: u64, attempt: impl Fn(&Context) -> AtPoint) -> AtPoint {
+    let own = Budget::new(steps);
     let answer = attempt(&Context {
         budget: &own,
         ..*context

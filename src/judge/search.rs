@@ -3,7 +3,7 @@
 use super::Settings;
 use super::finding::{Evidence, Finding};
 use super::points::{Domain, size};
-use super::relate::{AtPoint, relate};
+use super::relate::{AtPoint, STEPS_A_POINT, relate};
 use super::statement::relations;
 use super::values::Reach;
 use super::verdict::{Extent, Verdict};
@@ -80,8 +80,11 @@ pub struct Search<'a> {
     pub settings: &'a Settings,
 }
 
-/// How many failing points the kernel is asked about before the judge gives up on it.
+/// How many failing points the kernel is asked about at a time, and how many times.
 const KERNEL_TRIES: usize = 6;
+const ROUNDS: usize = 3;
+/// So many points may cost more where none is cheap.
+const COSTLY_POINTS: usize = 8;
 
 impl Search<'_> {
     /// Tries the relation at every point, and asks the kernel about those where it fails.
@@ -94,26 +97,63 @@ impl Search<'_> {
             return Finding::because(Verdict::Undecided, reason);
         }
         let mut tally = Tally::default();
-        for point in self.points {
-            let context = Context {
-                point,
-                draws: &self.proposition.draws,
-                budget: self.budget,
-            };
-            tally.add(
-                point,
-                relate(left, relation, right, &context, self.settings.digits),
-            );
-            if tally.two_valued.len() >= KERNEL_TRIES {
+        let mut points = self.points.iter();
+        let mut seen = None;
+        // A failure that the kernel cannot check is no verdict: another may be.
+        for _ in 0..ROUNDS {
+            for point in points.by_ref() {
+                tally.add(
+                    point,
+                    self.at(point, (left, relation, right), STEPS_A_POINT),
+                );
+                if tally.two_valued.len() >= KERNEL_TRIES {
+                    break;
+                }
+            }
+            let candidates = tally.candidates();
+            if candidates.is_empty() {
                 break;
             }
+            let refuted = self.refute(&candidates);
+            if refuted.verdict == Verdict::Refuted {
+                return refuted;
+            }
+            tally.forget_candidates();
+            seen = seen.or(Some(refuted));
         }
-        let candidates = tally.candidates();
-        if candidates.is_empty() {
-            self.held(tally)
-        } else {
-            self.refute(&candidates)
+        if let Some(seen) = seen {
+            return seen;
         }
+        // Where no value is cheap, a few points may cost more.
+        let costly = std::mem::take(&mut tally.too_costly);
+        let rest = self.settings.budget.saturating_sub(self.budget.spent());
+        let patient = if tally.held == 0 { COSTLY_POINTS } else { 0 };
+        for (index, point) in costly.into_iter().enumerate() {
+            if index < patient {
+                let steps = rest / (4 * COSTLY_POINTS as u64);
+                tally.add(point, self.at(point, (left, relation, right), steps));
+            } else {
+                tally.too_costly.push(point);
+            }
+        }
+        match tally.candidates() {
+            candidates if candidates.is_empty() => self.held(tally),
+            candidates => self.refute(&candidates),
+        }
+    }
+
+    fn at(
+        &self,
+        point: &Point,
+        (left, relation, right): (&Formula, Relation, &Formula),
+        steps: u64,
+    ) -> AtPoint {
+        let context = Context {
+            point,
+            draws: &self.proposition.draws,
+            budget: self.budget,
+        };
+        relate(left, relation, right, &context, self.settings.digits, steps)
     }
 
     /// No point failed.
@@ -131,6 +171,11 @@ impl Search<'_> {
             Finding::because(
                 Verdict::Undecided,
                 format!("points that cannot be told: {unknown}; {why}"),
+            )
+        } else if !tally.too_costly.is_empty() {
+            Finding::because(
+                Verdict::Undecided,
+                "the values cost too many steps at every point that was tried",
             )
         } else {
             Finding::because(
@@ -186,7 +231,7 @@ struct Tally<'a> {
     held: usize,
     set_aside: usize,
     /// Points that count neither way: their values would cost too much.
-    too_costly: usize,
+    too_costly: Vec<&'a Point>,
     unknown: Vec<String>,
     two_valued: Vec<&'a Point>,
     one_valued: Vec<&'a Point>,
@@ -198,10 +243,15 @@ impl<'a> Tally<'a> {
             AtPoint::Holds { .. } => self.held += 1,
             AtPoint::SetAside => self.set_aside += 1,
             AtPoint::Unknown(why) => self.unknown.push(why),
-            AtPoint::TooCostly => self.too_costly += 1,
+            AtPoint::TooCostly => self.too_costly.push(point),
             AtPoint::Fails { both_valued: true } => self.two_valued.push(point),
             AtPoint::Fails { both_valued: false } => self.one_valued.push(point),
         }
+    }
+
+    fn forget_candidates(&mut self) {
+        self.two_valued.clear();
+        self.one_valued.clear();
     }
 
     /// Failing points, those with two values first, the smallest first.

@@ -4,7 +4,7 @@
 use super::Settings;
 use super::duties::judge_duties;
 use super::finding::{Evidence, Finding, worse};
-use super::relate::{AtPoint, relate};
+use super::relate::{AtPoint, STEPS_A_POINT, relate};
 use super::search::{Search, points};
 use super::vacuous::contradictory;
 use super::verdict::Verdict;
@@ -43,7 +43,8 @@ pub fn judge_proposition(
     budget: &Budget,
     settings: &Settings,
 ) -> Finding {
-    match Trial::new(proposition, budget, settings) {
+    let statement = proposition.statement.pointwise();
+    match Trial::new(proposition, &statement, budget, settings) {
         Ok(trial) => trial.whole(),
         Err(finding) => *finding,
     }
@@ -57,16 +58,17 @@ pub struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// Tries the parts of the statement.
+    /// Tries the parts of the statement, which is that of the proposition as it speaks of points.
     ///
     /// # Errors
     /// What there is to say of a proposition without anything to try.
     pub fn new(
-        proposition: &'a Proposition,
+        proposition: &Proposition,
+        statement: &'a Statement,
         budget: &Budget,
         settings: &Settings,
     ) -> Result<Trial<'a>, Box<Finding>> {
-        let parts = parts(&proposition.statement);
+        let parts = parts(statement);
         if parts.iter().all(|part| matches!(part, Part::Noted)) {
             return Err(Box::new(Finding::plain(Verdict::Noted)));
         }
@@ -119,14 +121,22 @@ pub fn holds_at(
         budget,
     };
     let mut held = None;
-    for part in parts(&proposition.statement) {
+    let statement = proposition.statement.pointwise();
+    for part in parts(&statement) {
         if let Part::Relation {
             left,
             relation,
             right,
         } = part
         {
-            match relate(left, relation, right, &context, settings.digits) {
+            match relate(
+                left,
+                relation,
+                right,
+                &context,
+                settings.digits,
+                STEPS_A_POINT,
+            ) {
                 AtPoint::Fails { .. } => return Some(false),
                 AtPoint::Holds { .. } => held = Some(true),
                 AtPoint::SetAside | AtPoint::Unknown(_) | AtPoint::TooCostly => return None,

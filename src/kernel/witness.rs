@@ -88,7 +88,8 @@ enum Item<'a> {
 /// proved inside, a link that holds, an expansion (its constants are not a point's affair), two
 /// sides without value, or a value that the kernel cannot find.
 pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Refutation, Unknown> {
-    let items = items(&proposition.statement);
+    let statement = proposition.statement.pointwise();
+    let items = items(&statement);
     let item = item(&items, witness.link)?;
     at_the_point(proposition, &witness.point, |scope| match item {
         Item::Link(link) => failure(link, scope),
@@ -109,7 +110,8 @@ pub fn check_example(
     point: &Point,
     links: &[usize],
 ) -> Result<(), Unknown> {
-    let items = items(&proposition.statement);
+    let statement = proposition.statement.pointwise();
+    let items = items(&statement);
     at_the_point(proposition, point, |scope| {
         links
             .iter()

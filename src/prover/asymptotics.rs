@@ -130,8 +130,7 @@ pub(super) fn judge_powers(
 
 /// Reads the statement as a difference against gauges.
 fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Comparison, Reason> {
-    let mut terms = Vec::new();
-    summands(right, false, &mut terms);
+    let terms = summands(right);
     let (mut gauges, mut little, mut difference) = (Vec::new(), Vec::new(), left.clone());
     for (negative, term) in &terms {
         match term {
@@ -143,7 +142,7 @@ fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Com
                 } else {
                     Operator::Subtract
                 };
-                difference = Formula::binary(operator, difference, (*term).clone());
+                difference = Formula::binary(operator, difference, term.clone());
             }
         }
     }
@@ -152,7 +151,7 @@ fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Com
     let (gauges, little) = match relation {
         Relation::Asymptotic if plain => (vec![right.clone()], true),
         Relation::Approximate if plain => match terms.last() {
-            Some((_, last)) => (vec![(*last).clone()], true),
+            Some((_, last)) => (vec![last.clone()], true),
             None => return Err(Reason::Unsupported("an empty sum".into())),
         },
         Relation::Equal if little.is_empty() && !gauges.is_empty() => (gauges, false),
@@ -168,19 +167,56 @@ fn comparison(left: &Formula, relation: Relation, right: &Formula) -> Result<Com
     })
 }
 
-/// The terms of a sum, each with whether it is subtracted.
-fn summands<'f>(formula: &'f Formula, negative: bool, terms: &mut Vec<(bool, &'f Formula)>) {
+/// The terms of a sum, each with whether it is subtracted. A sum with an O in it is multiplied out:
+/// `(a + O(g))*h` is `a*h + O(g*h)`.
+fn summands(formula: &Formula) -> Vec<(bool, Formula)> {
+    let each = |formula: &Formula, change: &dyn Fn(bool, Formula) -> (bool, Formula)| {
+        let terms = summands(formula).into_iter();
+        terms
+            .map(|(negative, term)| change(negative, term))
+            .collect()
+    };
     match formula {
-        Formula::Binary(Operator::Add, left, right) => {
-            summands(left, negative, terms);
-            summands(right, negative, terms);
+        Formula::Binary(operator @ (Operator::Add | Operator::Subtract), left, right) => {
+            let negative = *operator == Operator::Subtract;
+            let mut terms = summands(left);
+            let rights: Vec<_> = each(right, &|own, term| (own != negative, term));
+            terms.extend(rights);
+            terms
         }
-        Formula::Binary(Operator::Subtract, left, right) => {
-            summands(left, negative, terms);
-            summands(right, !negative, terms);
+        Formula::Negate(inner) => each(inner, &|own, term| (!own, term)),
+        Formula::Binary(operator @ (Operator::Multiply | Operator::Divide), sum, factor)
+            if has_order(sum) && !has_order(factor) =>
+        {
+            each(sum, &|own, term| (own, times(term, *operator, factor)))
         }
-        Formula::Negate(inner) => summands(inner, !negative, terms),
-        _ => terms.push((negative, formula)),
+        Formula::Binary(Operator::Multiply, factor, sum)
+            if has_order(sum) && !has_order(factor) =>
+        {
+            each(sum, &|own, term| {
+                (own, times(term, Operator::Multiply, factor))
+            })
+        }
+        _ => vec![(false, formula.clone())],
+    }
+}
+
+/// The term times or over the factor, which goes into an O or o.
+fn times(term: Formula, operator: Operator, factor: &Formula) -> Formula {
+    let of = |gauge: Box<Formula>| Box::new(Formula::binary(operator, *gauge, factor.clone()));
+    match term {
+        Formula::BigO(gauge) => Formula::BigO(of(gauge)),
+        Formula::LittleO(gauge) => Formula::LittleO(of(gauge)),
+        term => Formula::binary(operator, term, factor.clone()),
+    }
+}
+
+fn has_order(formula: &Formula) -> bool {
+    match formula {
+        Formula::BigO(_) | Formula::LittleO(_) => true,
+        Formula::Negate(inner) => has_order(inner),
+        Formula::Binary(_, left, right) => has_order(left) || has_order(right),
+        _ => false,
     }
 }
 
