@@ -272,12 +272,7 @@ const FAULTY: &[(&str, &str, &str, &str)] = &[
         "write one page or a range of pages: `22`, `iv`, `22-23`",
         "see page 22",
     ),
-    (
-        "says words\nquote",
-        "this line says nothing",
-        "",
-        "quote",
-    ),
+    ("says words\nquote", "this line says nothing", "", "quote"),
     (
         "says words\npage 22\npage 23",
         "a second `page` line",

@@ -19,6 +19,7 @@ pub use unfold::{IllTyped, has_expansion};
 
 use crate::formula::{Condition, Draw, Formula, Name, Parameter, Regime, Statement};
 pub use scope::Places;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -120,7 +121,8 @@ pub enum ExpectedVerdict {
 }
 
 /// Where a refuted statement is at fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Fault {
     /// The same statement holds under `needs`: a condition is missing.
     Domain,

@@ -110,7 +110,7 @@ fn witness(text: &mut String, witness: &WitnessReport) {
     line(
         text,
         "witness",
-        &format!("{} ({})", at.join(", "), witness.because),
+        &format!("{} ({})", at.join(", "), witness.because.word()),
     );
     for (label, value) in ["left", "right"].into_iter().zip(&witness.values) {
         line(text, label, value.as_deref().unwrap_or("no value"));

@@ -132,6 +132,7 @@ mod tests {
             seed: 1,
             digits: 50,
             saved: crate::corpus::Saved::default(),
+            cached: crate::corpus::FromCache::default(),
         };
         let text = anstream::adapter::strip_str(&render(&run, Rows::All)).to_string();
         assert_eq!(text, "0 claims\nall as expected (seed 1, 50 digits)\n");
