@@ -293,10 +293,10 @@ fn witnessed(witness: &WitnessReport, facts: &mut Vec<(&'static str, Content)>) 
     }
 }
 
-/// A share of the larger value, to three digits.
+/// A share of the larger value.
 fn percent(share: f64) -> String {
     match share >= 1e-3 {
-        true => format!("{:.3} %", 100.0 * share),
+        true => format!("{:.1} % of the larger", 100.0 * share),
         false => format!("{share:.2e} of the larger"),
     }
 }
