@@ -130,7 +130,7 @@ impl Section {
 
     fn lead(self) -> &'static str {
         match self {
-            Section::Wrong => "Each fails at the point given with it.",
+            Section::Wrong => "Each fails at the point that is given with it, or has no meaning.",
             Section::ConditionMissing => {
                 "Each holds, but not without a condition that is not printed."
             }
