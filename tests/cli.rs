@@ -39,7 +39,10 @@ expect printed refuted statement, mended certified
 ";
 
 fn program() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_claimcheck"))
+    let mut program = Command::new(env!("CARGO_BIN_EXE_claimcheck"));
+    // Every test judges for itself; those of the cache give a folder for it.
+    program.env_remove("XDG_CACHE_HOME").env_remove("HOME");
+    program
 }
 
 /// A folder of this name with one chapter.
@@ -145,7 +148,8 @@ fn a_wrong_claim_that_is_expected() {
         .expect("starts"));
     assert_eq!(sheet.code, Some(0));
     assert!(
-        sheet.out.contains("## Wrong statements\n\n### pinned-1"),
+        sheet.out.contains("## Wrong statements\n\nEach fails")
+            && sheet.out.contains("### pinned-1"),
         "{}",
         sheet.out
     );
@@ -496,4 +500,102 @@ fn a_proof_is_explained() {
         assert!(seen.out.contains(part), "no {part} in {}", seen.out);
     }
     assert!(seen.out.lines().all(|line| line.chars().count() <= 100));
+}
+
+#[test]
+fn the_report_is_one_page() {
+    let chapter = PINNED.replace("says ", "why    <script>alert(1)</script>\nsays ");
+    let folder = book("page", &chapter);
+    let out = folder.join("report/of/it");
+    let report = |out: &Path| {
+        let mut program = program();
+        program.arg("report").arg(&folder).arg("--out").arg(out);
+        see(program.output().expect("starts"))
+    };
+    let seen = report(&out);
+    assert_eq!(seen.code, Some(0), "{}", seen.err);
+    assert_eq!(seen.out, format!("{}\n", out.join("index.html").display()));
+    let page = fs::read_to_string(out.join("index.html")).expect("a page");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    assert!(
+        page.contains("pinned-1") && !page.contains("<script"),
+        "{page}"
+    );
+    let files = fs::read_dir(&out).expect("a folder").count();
+    assert_eq!(files, 1, "no draft is left");
+    let no_folder = report(&folder.join("chapter.md/report"));
+    assert_eq!(no_folder.code, Some(2));
+    assert!(no_folder.err.contains("chapter.md"), "{}", no_folder.err);
+    assert!(no_folder.err.contains("--out"), "{}", no_folder.err);
+}
+
+/// The JSON of a check with this cache, and what was told.
+fn cached(folder: &Path, cache: &Path, options: &[&str]) -> (serde_json::Value, String) {
+    let mut program = program();
+    program
+        .env("XDG_CACHE_HOME", cache)
+        .arg("check")
+        .arg(folder);
+    program.args(["--format", "json"]).args(options);
+    let seen = see(program.output().expect("starts"));
+    let value = serde_json::from_str(&seen.out).expect("is JSON");
+    (value, seen.err)
+}
+
+#[test]
+fn what_has_not_changed_is_not_judged_again() {
+    let folder = book("cached", PINNED);
+    let cache = folder.join("cache");
+    let _ = fs::remove_dir_all(&cache);
+    let entries = || {
+        let programs = fs::read_dir(cache.join("claimcheck")).expect("a cache");
+        let files = programs.flat_map(|p| fs::read_dir(p.expect("an entry").path()).expect("one"));
+        files
+            .map(|file| file.expect("an entry").path())
+            .collect::<Vec<PathBuf>>()
+    };
+    let first = cached(&folder, &cache, &[]);
+    assert!(first.1.is_empty(), "{}", first.1);
+    assert_eq!(entries().len(), 1);
+    // The times, too, are those of the first run.
+    assert_eq!(cached(&folder, &cache, &[]), first);
+    let anew = cached(&folder, &cache, &["--no-cache"]).0;
+    assert_eq!(
+        anew["claims"][0]["printed"],
+        first.0["claims"][0]["printed"]
+    );
+
+    let entry = entries().remove(0);
+    let text = fs::read_to_string(&entry).expect("it is there");
+    fs::write(&entry, text.replace("refuted", "proved")).expect("can be written");
+    let (rebuilt, told) = cached(&folder, &cache, &[]);
+    assert_eq!(
+        rebuilt["claims"][0]["printed"],
+        first.0["claims"][0]["printed"]
+    );
+    assert!(told.contains("1 report damaged in the cache"), "{told}");
+    assert!(cached(&folder, &cache, &[]).1.is_empty());
+
+    let fewer = cached(&folder, &cache, &["--digits", "20"]).0;
+    assert_eq!(fewer["digits"], 20);
+    assert_eq!(entries().len(), 2);
+    let right = "says   k/(k-1) == 1 + 1/(k-1)\n";
+    let chapter = PINNED.replace("says   k/(k-1) == 1 + 1/(k-1) - 1/k\n", right);
+    fs::write(folder.join("chapter.md"), chapter).expect("can be written");
+    let changed = cached(&folder, &cache, &[]).0;
+    assert_eq!(changed["claims"][0]["printed"]["verdict"], "proved");
+    assert_eq!(entries().len(), 3);
+}
+
+#[test]
+fn a_cache_that_cannot_be_written_is_no_error() {
+    let folder = book("no-cache", RIGHT);
+    let (value, told) = cached(&folder, &folder.join("chapter.md"), &[]);
+    assert_eq!(value["summary"]["proved"], 2);
+    assert_eq!(told, "note: 2 reports could not be kept in the cache\n");
+    assert!(
+        cached(&folder, &folder.join("chapter.md"), &["-q"])
+            .1
+            .is_empty()
+    );
 }

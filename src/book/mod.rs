@@ -19,6 +19,7 @@ pub use unfold::{IllTyped, has_expansion};
 
 use crate::formula::{Condition, Draw, Formula, Name, Parameter, Regime, Statement};
 pub use scope::Places;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -59,6 +60,10 @@ pub struct Claim {
     /// `read REGIME`: takes the place of the statement's own regime. Where it names no limit, those of
     /// the statement stay.
     pub read: Option<Regime>,
+    /// Where in the paper it stands: `22`, `iv`, `22-23`.
+    pub page: Option<String>,
+    /// The words of the text that the claim judges.
+    pub quote: Option<String>,
     pub slip: Option<String>,
     pub why: Option<String>,
     pub expect: Option<Expectation>,
@@ -116,7 +121,8 @@ pub enum ExpectedVerdict {
 }
 
 /// Where a refuted statement is at fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Fault {
     /// The same statement holds under `needs`: a condition is missing.
     Domain,

@@ -1,6 +1,6 @@
 //! `claimcheck check`: the main job.
 
-use super::judging::Judging;
+use super::judging::{Judging, Want};
 use super::output::{Exit, Failure, to_stderr, to_stdout};
 use crate::corpus::Run;
 use crate::corpus::certificates::Store;
@@ -33,7 +33,12 @@ enum Format {
 
 impl Check {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let run = self.judging.run(self.only, self.save)?;
+        let want = if self.save {
+            Want::Saved
+        } else {
+            Want::Reports
+        };
+        let run = self.judging.run(self.only, want)?;
         let rows = if self.judging.quiet {
             Rows::Unexpected
         } else {

@@ -11,7 +11,7 @@ use clap::Args;
 #[cfg(feature = "engine")]
 use {
     super::check::{exit, unwritable},
-    super::judging::Judging,
+    super::judging::{Judging, Want},
     crate::judge::Report,
     crate::kernel::proof::Certificate,
     crate::report::{human::detail, json},
@@ -44,7 +44,7 @@ enum Format {
 #[cfg(feature = "engine")]
 impl Explain {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let run = self.judging.run(vec![self.id], false)?;
+        let run = self.judging.run(vec![self.id], Want::Evidence)?;
         let text = match self.format {
             Format::Human => run.reports.iter().map(human).collect(),
             Format::Json => json::render(&run).map_err(unwritable)?,

@@ -1,8 +1,9 @@
 //! What all commands that judge a book have in common: their options, the run, its progress bar.
 
 use super::library::Library;
-use super::output::{Failure, of_run};
-use crate::corpus::{self, Options, Run};
+use super::output::{Failure, of_run, to_stderr};
+use crate::corpus::cache::Cache;
+use crate::corpus::{self, FromCache, Options, Run};
 use crate::judge::Settings;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -30,14 +31,28 @@ pub(super) struct Judging {
     /// Counted steps that a claim may spend
     #[arg(long, value_name = "N", default_value_t = Settings::default().budget)]
     budget: u64,
+    /// Judges every claim anew, whatever earlier runs found
+    #[arg(long)]
+    no_cache: bool,
     /// No progress bar; of the claims only those that are not as expected
     #[arg(long, short)]
     pub(super) quiet: bool,
 }
 
+/// What a command wants of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Want {
+    /// Reports, those of earlier runs as well.
+    Reports,
+    /// Reports with their evidence, which is not kept from earlier runs.
+    Evidence,
+    /// That the evidence is written as certificates.
+    Saved,
+}
+
 impl Judging {
-    /// Judges the claims of the book: those that `only` names, or all; `save` writes certificates.
-    pub(super) fn run(&self, only: Vec<String>, save: bool) -> Result<Run, Failure> {
+    /// Judges the claims of the book: those that `only` names, or all.
+    pub(super) fn run(&self, only: Vec<String>, want: Want) -> Result<Run, Failure> {
         let book = self.library.open()?;
         let settings = Settings {
             seed: self.seed,
@@ -49,13 +64,46 @@ impl Judging {
             only,
             jobs: self.jobs.unwrap_or(0).into(),
             certificates: Some(self.library.store()),
-            save,
+            save: want == Want::Saved,
+            cache: match want {
+                Want::Reports if !self.no_cache => Cache::of_user(),
+                _ => None,
+            },
         };
         let count = corpus::chosen(&book, &options.only).map_err(of_run)?.len();
         let bar = Bar::new(count, self.quiet);
         let run = corpus::run(&book, &settings, &options, |done| bar.show(done));
         bar.bar.finish_and_clear();
-        run.map_err(of_run)
+        let run = run.map_err(of_run)?;
+        if !self.quiet {
+            cache_notes(&run.cached)
+                .iter()
+                .for_each(|note| to_stderr(note));
+        }
+        Ok(run)
+    }
+}
+
+/// What the user may want to know of the cache; none of it is an error.
+fn cache_notes(cached: &FromCache) -> Vec<String> {
+    let mut notes = Vec::new();
+    if cached.damaged > 0 {
+        notes.push(format!(
+            "note: {} damaged in the cache and judged anew",
+            reports(cached.damaged)
+        ));
+    }
+    if cached.unwritable > 0 {
+        let count = reports(cached.unwritable);
+        notes.push(format!("note: {count} could not be kept in the cache"));
+    }
+    notes
+}
+
+fn reports(count: usize) -> String {
+    match count {
+        1 => "1 report".to_owned(),
+        n => format!("{n} reports"),
     }
 }
 

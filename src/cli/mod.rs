@@ -15,6 +15,8 @@ mod judging;
 mod library;
 mod output;
 mod recheck;
+#[cfg(feature = "engine")]
+mod report;
 
 use clap::{Parser, Subcommand};
 use output::{Exit, Failure};
@@ -40,6 +42,8 @@ enum Command {
     Explain(explain::Explain),
     #[cfg(feature = "engine")]
     Errata(errata::Errata),
+    #[cfg(feature = "engine")]
+    Report(report::Report),
     Recheck(recheck::Recheck),
     /// A command that this build does not have.
     #[cfg(not(feature = "engine"))]
@@ -96,6 +100,7 @@ fn run(command: Command) -> Result<Exit, Failure> {
         Command::Eval(eval) => eval.run(),
         Command::Explain(explain) => explain.run(),
         Command::Errata(errata) => errata.run(),
+        Command::Report(report) => report.run(),
         Command::Recheck(recheck) => recheck.run(),
     }
 }

@@ -1,13 +1,13 @@
 //! The certificates of a book on disk: one file a claim, `ID.proof`.
 //!
 //! The folder is `certificates` in the folder of the book, or beside the file of a chapter. An id is
-//! letters, digits, `.` and `-`, so it is safe as the name of a file. A file is replaced whole or not
-//! at all: it is written under another name in the same folder, then renamed.
+//! letters, digits, `.` and `-`, so it is safe as the name of a file.
 
+use super::file::replace;
 use crate::book::Claim;
 use crate::kernel::proof::{Certificate, Flaw, parse};
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// The folder's name.
@@ -177,26 +177,6 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
         .take(MOST_BYTES + 1)
         .read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-/// Puts the text in the place of the file, whole or not at all.
-fn replace(path: &Path, text: &str) -> io::Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let draft = path.with_file_name(format!(".{name}.{}", std::process::id()));
-    let written = File::create(&draft)
-        .and_then(|mut file| {
-            file.write_all(text.as_bytes())?;
-            file.sync_all()
-        })
-        .and_then(|()| fs::rename(&draft, path));
-    if written.is_err() {
-        // The first error is the one to tell.
-        let _ = fs::remove_file(&draft);
-    }
-    written
 }
 
 #[cfg(test)]

@@ -1,14 +1,17 @@
-//! A whole book: running its claims, keeping their certificates, replaying what is kept.
+//! A whole book: running its claims, keeping their reports and certificates, replaying what is kept.
 //!
 //! Only the running needs the engine; certificates are read, written and replayed without it.
 
+#[cfg(feature = "engine")]
+pub mod cache;
 pub mod certificates;
+pub mod file;
 pub mod recheck;
 #[cfg(feature = "engine")]
 mod run;
 
 #[cfg(feature = "engine")]
-pub use run::{Options, Run, Saved, run};
+pub use run::{FromCache, Options, Run, Saved, run};
 
 use crate::book::{Book, Claim};
 use crate::formula::nearest;

@@ -3,12 +3,14 @@
 //! A claim's verdict depends on the claim, the book and the settings only, never on the claims
 //! judged before it or beside it; so any number of threads gives the same reports.
 
+use super::cache::{Cache, Found, MOST_ENTRIES};
 use super::certificates::Store;
 use super::{Error, chosen};
 use crate::book::{Book, Claim};
 use crate::judge::{self, Answer, Report, Settings};
 use crate::kernel::proof::Certificate;
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -26,6 +28,8 @@ pub struct Options {
     pub certificates: Option<Store>,
     /// Whether the certificates of what is proved or refuted are written there.
     pub save: bool,
+    /// Where reports are kept. One that comes from there has no evidence, so nothing of it is saved.
+    pub cache: Option<Cache>,
 }
 
 /// What a run found, in the order of the book.
@@ -35,6 +39,7 @@ pub struct Run {
     pub seed: u64,
     pub digits: u32,
     pub saved: Saved,
+    pub cached: FromCache,
 }
 
 /// How many files of certificates a run has written, and how many were so already.
@@ -42,6 +47,17 @@ pub struct Run {
 pub struct Saved {
     pub written: usize,
     pub unchanged: usize,
+}
+
+/// What the cache did for a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FromCache {
+    /// Reports that were there.
+    pub found: usize,
+    /// Entries that were not as they were written; those claims were judged anew.
+    pub damaged: usize,
+    /// Reports that could not be kept.
+    pub unwritable: usize,
 }
 
 /// Judges the claims that `options` choose; their reports come in the order of the book.
@@ -55,25 +71,90 @@ pub fn run(
     options: &Options,
     progress: impl Fn(usize) + Sync,
 ) -> Result<Run, Error> {
-    let claims = book.by_id();
-    let (written, unchanged) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let judge = |claim: &Claim| {
-        let previous = claim
-            .after
-            .as_ref()
-            .and_then(|id| claims.get(&**id).copied());
-        let Some(store) = &options.certificates else {
-            return sound(judge::judge(claim, previous, settings));
+    let work = Work {
+        claims: book.by_id(),
+        settings,
+        options,
+        counts: Counts::default(),
+    };
+    let chosen = chosen(book, &options.only)?;
+    let reports = in_parallel(chosen, options.jobs, |claim| work.report(claim), progress)?;
+    Ok(Run {
+        reports,
+        seed: settings.seed,
+        digits: settings.digits,
+        saved: Saved {
+            written: work.counts.written.into_inner(),
+            unchanged: work.counts.unchanged.into_inner(),
+        },
+        cached: FromCache {
+            found: work.counts.found.into_inner(),
+            damaged: work.counts.damaged.into_inner(),
+            unwritable: work.counts.unwritable.into_inner(),
+        },
+    })
+}
+
+/// What the threads of a run share.
+struct Work<'a> {
+    claims: HashMap<&'a str, &'a Claim>,
+    settings: &'a Settings,
+    options: &'a Options,
+    counts: Counts,
+}
+
+#[derive(Default)]
+struct Counts {
+    written: AtomicUsize,
+    unchanged: AtomicUsize,
+    found: AtomicUsize,
+    damaged: AtomicUsize,
+    unwritable: AtomicUsize,
+    kept: AtomicUsize,
+}
+
+impl Work<'_> {
+    /// The report on a claim, from the cache or judged.
+    fn report(&self, claim: &Claim) -> Result<Report, Error> {
+        let after = claim.after.as_ref();
+        let previous = after.and_then(|id| self.claims.get(&**id).copied());
+        // What is saved is evidence, which the cache does not have.
+        let Some(cache) = self.options.cache.as_ref().filter(|_| !self.options.save) else {
+            return self.judged(claim, previous);
+        };
+        let store = self.options.certificates.as_ref();
+        let entry = cache.entry(claim, previous, store, self.settings);
+        match entry.read(claim) {
+            Found::Report(report) => {
+                count(&self.counts.found);
+                return Ok(*report);
+            }
+            Found::Damaged => count(&self.counts.damaged),
+            Found::Nothing => (),
+        }
+        let report = self.judged(claim, previous)?;
+        if self.counts.kept.fetch_add(1, Ordering::Relaxed) < MOST_ENTRIES
+            && entry.write(&report).is_err()
+        {
+            count(&self.counts.unwritable);
+        }
+        Ok(report)
+    }
+
+    fn judged(&self, claim: &Claim, previous: Option<&Claim>) -> Result<Report, Error> {
+        let Some(store) = &self.options.certificates else {
+            return sound(judge::judge(claim, previous, self.settings));
         };
         // A file that is no certificate is as good as none: `recheck` tells what is wrong with it.
         let kept = store.read(claim).unwrap_or_default();
-        let mut report = sound(judge::judge_with(claim, previous, &kept, settings))?;
+        let mut report = sound(judge::judge_with(claim, previous, &kept, self.settings))?;
         let mut there = kept;
         let found = certificates(&report);
-        if options.save && !found.is_empty() {
-            let changed = save(store, claim, &found)?;
-            let counter = if changed { &written } else { &unchanged };
-            counter.fetch_add(1, Ordering::Relaxed);
+        if self.options.save && !found.is_empty() {
+            match save(store, claim, &found)? {
+                true => count(&self.counts.written),
+                false => count(&self.counts.unchanged),
+            }
             there = found;
         }
         for answer in answers(&mut report) {
@@ -82,17 +163,11 @@ pub fn run(
             answer.certificate = saved.then(|| store.shown(claim));
         }
         Ok(report)
-    };
-    let reports = in_parallel(chosen(book, &options.only)?, options.jobs, judge, progress)?;
-    Ok(Run {
-        reports,
-        seed: settings.seed,
-        digits: settings.digits,
-        saved: Saved {
-            written: written.into_inner(),
-            unchanged: unchanged.into_inner(),
-        },
-    })
+    }
+}
+
+fn count(counter: &AtomicUsize) {
+    counter.fetch_add(1, Ordering::Relaxed);
 }
 
 /// The report, unless it says that this program is not to be believed.
@@ -231,6 +306,24 @@ mod tests {
         let run = run(&book(50), &Settings::default(), &Options::default(), count);
         assert!(run.is_ok());
         assert_eq!(most.into_inner(), 50);
+    }
+
+    #[test]
+    fn what_is_in_the_cache_is_not_judged_again() {
+        let folder = std::env::temp_dir().join(format!("claimcheck-run-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&folder);
+        let options = Options {
+            cache: Some(Cache::within(&folder).expect("the program is there")),
+            ..Options::default()
+        };
+        let cached = |count: usize| {
+            let run = run(&book(count), &Settings::default(), &options, |_| ()).expect("a run");
+            (run.reports.len(), run.cached.found)
+        };
+        assert_eq!(cached(20), (20, 0));
+        assert_eq!(cached(30), (30, 20));
+        assert_eq!(cached(30), (30, 30));
+        std::fs::remove_dir_all(&folder).expect("it is there");
     }
 
     #[test]

@@ -17,15 +17,18 @@ mod vacuous;
 mod values;
 mod verdict;
 
-pub use verdict::{Answer, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
+pub use verdict::{
+    Answer, Cause, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport,
+};
 
 use crate::book::{Claim, Fault, IllTyped};
-use crate::formula::{Budget, Condition, Point, Proposition, Relation, Statement};
+use crate::formula::{Budget, Condition, Point, Proposition, Rational, Relation, Statement};
 use crate::kernel::proof::{Certificate, Theorem};
 use crate::kernel::{Because, Value};
 use crate::number::Interval;
 use crate::number::convert::to_rug;
 use finding::{Evidence, Finding, Proof};
+use num_traits::{Signed, ToPrimitive, Zero};
 use points::Domain;
 use proof::decide;
 use statement::{holds_at, is_expansion, judge_proposition};
@@ -112,6 +115,8 @@ pub fn judge_with(
         needs: claim.needs.as_ref().map(|needs| needs.text.clone()),
         needs_fault,
         sufficient: claim.needs.as_ref().is_some_and(|needs| needs.sufficient),
+        page: claim.page.clone(),
+        quote: claim.quote.clone(),
         slip: claim.slip.clone(),
         why: claim.why.clone(),
         expected: claim.expect_text.clone().unwrap_or_default(),
@@ -287,7 +292,8 @@ fn report_witness(evidence: Evidence) -> WitnessReport {
                 value_text(refutation.left()),
                 value_text(refutation.right()),
             ],
-            because: because_word(refutation.because()),
+            difference: difference(refutation.left(), refutation.right()),
+            because: cause(refutation.because()),
         },
         Evidence::Series {
             point,
@@ -296,7 +302,8 @@ fn report_witness(evidence: Evidence) -> WitnessReport {
         } => WitnessReport {
             point: point_text(&point),
             values: [Some(found), Some(claimed)],
-            because: "remainder",
+            difference: None,
+            because: Cause::Remainder,
         },
     }
 }
@@ -329,12 +336,26 @@ fn value_text(value: &Value) -> Option<String> {
     }
 }
 
-fn because_word(because: Because) -> &'static str {
+/// |left - right| / max(|left|, |right|), of enclosures from their middles.
+fn difference(left: &Value, right: &Value) -> Option<f64> {
+    let middle = |value: &Value| match value {
+        Value::Finite { low, high } => Some((low + high) / Rational::from_integer(2.into())),
+        _ => None,
+    };
+    let (left, right) = (middle(left)?, middle(right)?);
+    let size = left.abs().max(right.abs());
+    if size.is_zero() {
+        return Some(0.0);
+    }
+    ((left - right).abs() / size).to_f64()
+}
+
+fn cause(because: Because) -> Cause {
     match because {
-        Because::Disjoint => "disjoint",
-        Because::Equal => "equal",
-        Because::Undefined => "undefined",
-        Because::Duty => "duty",
+        Because::Disjoint => Cause::Disjoint,
+        Because::Equal => Cause::Equal,
+        Because::Undefined => Cause::Undefined,
+        Because::Duty => Cause::Duty,
     }
 }
 

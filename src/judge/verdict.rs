@@ -1,11 +1,12 @@
-//! What the judge answers, as plain data: the JSON of the command line is this, field by field.
+//! What the judge answers, as plain data: the JSON of the command line is this, field by field, and
+//! what is read back from there is the same.
 
 use crate::book::Fault;
 use crate::kernel::proof::Certificate;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A verdict, best first. `undecided` and `noted` never count as a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     Proved,
@@ -47,7 +48,7 @@ impl Verdict {
 }
 
 /// What kind of statement a claim makes: that of its worst link.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     Identity,
@@ -58,7 +59,7 @@ pub enum Kind {
 }
 
 /// The answer to one claim.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     pub id: String,
     pub file: String,
@@ -70,6 +71,10 @@ pub struct Report {
     /// What is wrong with `needs`, if anything ("stronger than necessary").
     pub needs_fault: Option<String>,
     pub sufficient: bool,
+    /// Where in the paper the claim stands.
+    pub page: Option<String>,
+    /// The words of the text that it judges.
+    pub quote: Option<String>,
     pub slip: Option<String>,
     pub why: Option<String>,
     pub expected: String,
@@ -82,10 +87,9 @@ pub struct Report {
 }
 
 /// The verdict on one statement, with its evidence.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     pub verdict: Verdict,
-    #[serde(serialize_with = "fault_word")]
     pub fault: Option<Fault>,
     /// The statement as written.
     pub written: String,
@@ -111,7 +115,7 @@ pub struct Answer {
 }
 
 /// How far a certified or refuted verdict was tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Extent {
     pub points: usize,
     pub set_aside: usize,
@@ -119,35 +123,55 @@ pub struct Extent {
 }
 
 /// A witness for the reader: numbers as text, `null` where there is no value.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WitnessReport {
     pub point: std::collections::BTreeMap<String, String>,
     pub values: [Option<String>; 2],
-    pub because: &'static str,
+    /// How far the values lie apart: |left - right| / max(|left|, |right|), where both are finite.
+    pub difference: Option<f64>,
+    pub because: Cause,
+}
+
+/// Why a point is a witness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Cause {
+    /// The values lie apart.
+    Disjoint,
+    /// The values are equal, where they must not be.
+    Equal,
+    /// Just one side has a value.
+    Undefined,
+    /// A duty of a definition fails.
+    Duty,
+    /// An expansion has other terms.
+    Remainder,
+}
+
+impl Cause {
+    /// The word of all output.
+    pub fn word(self) -> &'static str {
+        match self {
+            Cause::Disjoint => "disjoint",
+            Cause::Equal => "equal",
+            Cause::Undefined => "undefined",
+            Cause::Duty => "duty",
+            Cause::Remainder => "remainder",
+        }
+    }
 }
 
 /// The verdict on the link to the claim that this one goes on from.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinkReport {
     pub with: String,
     pub verdict: Verdict,
 }
 
 /// Explicit constants of a proved expansion.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Constants {
     #[serde(rename = "C")]
     pub factor: String,
     pub k0: String,
-}
-
-fn fault_word<S: serde::Serializer>(
-    fault: &Option<Fault>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    match fault {
-        None => serializer.serialize_none(),
-        Some(Fault::Domain) => serializer.serialize_str("domain"),
-        Some(Fault::Statement) => serializer.serialize_str("statement"),
-    }
 }

@@ -1,4 +1,5 @@
-//! What a run found, as text for people and as JSON, JUnit and SARIF for programs; errors with their place.
+//! What a run found, as text and as a page for people, as JSON, JUnit and SARIF for programs; errors
+//! with their place.
 //!
 //! Every format is a function from a [`crate::corpus::Run`] to a `String`. Colours are written as
 //! terminal escapes; the stream that prints a report takes them out where no terminal reads it.
@@ -9,6 +10,8 @@ mod style;
 
 #[cfg(feature = "engine")]
 pub mod errata;
+#[cfg(feature = "engine")]
+pub mod html;
 #[cfg(feature = "engine")]
 pub mod human;
 #[cfg(feature = "engine")]
@@ -21,3 +24,7 @@ mod latex;
 pub mod sarif;
 #[cfg(feature = "engine")]
 mod tally;
+#[cfg(feature = "engine")]
+mod typeset;
+#[cfg(feature = "engine")]
+mod words;

@@ -1,5 +1,6 @@
 //! All that is known of one claim, as labelled lines.
 
+use super::super::words::{counted, place, sides};
 use super::tally;
 use super::{BAD, FAINT, STRONG, WIDTH, WRONG, paint, style};
 use crate::judge::{Answer, Extent, Report, Verdict, WitnessReport};
@@ -11,6 +12,8 @@ const INDENT: usize = 12;
 pub fn render(report: &Report) -> String {
     let place = paint(FAINT, &format!("{}:{}", report.file, report.line));
     let mut text = format!("{} {place}\n", paint(STRONG, &report.id));
+    optional(&mut text, "page", report.page.as_deref());
+    optional(&mut text, "quote", report.quote.as_deref());
     line(&mut text, "expected", tally::expected(report));
     if !report.as_expected {
         text.push_str(&format!("  {}\n", paint(BAD, "not as expected")));
@@ -88,10 +91,7 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
 }
 
 fn extent_words(extent: &Extent) -> String {
-    let points = match extent.points {
-        1 => "1 point".to_owned(),
-        n => format!("{n} points"),
-    };
+    let points = counted(extent.points, "point");
     let aside = match extent.set_aside {
         0 => String::new(),
         n => format!(" and {n} set aside, where neither side has a value"),
@@ -100,18 +100,13 @@ fn extent_words(extent: &Extent) -> String {
 }
 
 fn witness(text: &mut String, witness: &WitnessReport) {
-    let at: Vec<String> = witness
-        .point
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
     line(
         text,
         "witness",
-        &format!("{} ({})", at.join(", "), witness.because),
+        &format!("{} ({})", place(witness), witness.because.word()),
     );
-    for (label, value) in ["left", "right"].into_iter().zip(&witness.values) {
-        line(text, label, value.as_deref().unwrap_or("no value"));
+    for (label, value) in ["left", "right"].into_iter().zip(sides(witness)) {
+        line(text, label, value);
     }
 }
 

@@ -8,6 +8,7 @@ pub(super) mod sample;
 
 use super::style::{FAINT, STRONG, WIDTH, paint};
 use super::tally::{self, Outcome};
+use super::words::counted;
 use crate::corpus::Run;
 use crate::judge::Verdict;
 
@@ -48,10 +49,7 @@ fn summary(run: &Run) -> String {
             parts.push(format!("{count} {}", words(outcome)));
         }
     }
-    let claims = match run.reports.len() {
-        1 => "1 claim".to_owned(),
-        n => format!("{n} claims"),
-    };
+    let claims = counted(run.reports.len(), "claim");
     let counts = if parts.is_empty() {
         String::new()
     } else {
@@ -132,6 +130,7 @@ mod tests {
             seed: 1,
             digits: 50,
             saved: crate::corpus::Saved::default(),
+            cached: crate::corpus::FromCache::default(),
         };
         let text = anstream::adapter::strip_str(&render(&run, Rows::All)).to_string();
         assert_eq!(text, "0 claims\nall as expected (seed 1, 50 digits)\n");

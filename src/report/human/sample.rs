@@ -1,8 +1,8 @@
 //! A made-up run for the tests of all formats.
 
 use crate::book::Fault;
-use crate::corpus::{Run, Saved};
-use crate::judge::{Answer, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
+use crate::corpus::{FromCache, Run, Saved};
+use crate::judge::{Answer, Cause, Extent, Kind, LinkReport, Report, Verdict, WitnessReport};
 
 pub(in crate::report) fn run() -> Run {
     Run {
@@ -10,6 +10,7 @@ pub(in crate::report) fn run() -> Run {
         seed: 1,
         digits: 50,
         saved: Saved::default(),
+        cached: FromCache::default(),
     }
 }
 
@@ -43,6 +44,8 @@ fn report(id: &str, line: usize, printed: Answer) -> Report {
         needs: None,
         needs_fault: None,
         sufficient: false,
+        page: None,
+        quote: None,
         slip: None,
         why: None,
         expected: "printed proved".into(),
@@ -72,7 +75,8 @@ fn missing_condition() -> Report {
                 .map(|(n, v)| (n.into(), v.into()))
                 .into(),
             values: [Some("+inf".into()), None],
-            because: "undefined",
+            difference: None,
+            because: Cause::Undefined,
         }),
         links: vec![LinkReport {
             with: "2.13".into(),
@@ -104,6 +108,94 @@ fn unexpected() -> Report {
         as_expected: false,
         ..report("2.62", 140, printed)
     }
+}
+
+/// One erratum of each kind, the least misleading first.
+pub(in crate::report) fn errata() -> Vec<Report> {
+    let witness = |values: [Option<&str>; 2], difference, because| {
+        Some(WitnessReport {
+            point: [("k".into(), "2".into())].into(),
+            values: values.map(|value| value.map(str::to_owned)),
+            difference,
+            because,
+        })
+    };
+    let wrong = |id: &str, says: &str, witness| {
+        let printed = Answer {
+            fault: Some(Fault::Statement),
+            witness,
+            ..answer(Verdict::Refuted, says)
+        };
+        report(id, 1, printed)
+    };
+    let mended = |written: &str, file: &str| {
+        Some(Answer {
+            certificate: Some(file.into()),
+            ..answer(Verdict::Proved, written)
+        })
+    };
+    let finite = [Some("1.3862943611198906"), Some("0.81093021621632876")];
+    let ill = Answer {
+        reason: Some("`q` is free".into()),
+        ..answer(Verdict::IllTyped, "k == q")
+    };
+    vec![
+        Report {
+            kind: Kind::Words,
+            page: Some("iv".into()),
+            quote: Some("the error is 5% at most".into()),
+            slip: Some("Figure 2_1 is meant".into()),
+            ..report("text", 1, answer(Verdict::Noted, "words"))
+        },
+        Report {
+            slip: Some("dx is printed for dr".into()),
+            ..report(
+                "slip",
+                1,
+                answer(Verdict::Proved, "int(2*r, r = 0..1) == 1"),
+            )
+        },
+        missing_condition(),
+        report("no-sense", 1, ill),
+        wrong(
+            "duty",
+            "f(r) is 3*r density on 0..1",
+            witness([Some("3/2"), Some("1")], Some(0.3), Cause::Duty),
+        ),
+        wrong(
+            "order",
+            "1/(k - 1) == 1/k + O((1/k)^3) as k -> inf",
+            witness([Some("1/k + 1/k^2"), Some("1/k")], None, Cause::Remainder),
+        ),
+        wrong(
+            "one-sided",
+            "k/(k - 2) == k",
+            witness([None, Some("2")], None, Cause::Undefined),
+        ),
+        Report {
+            page: Some("22-23".into()),
+            why: Some("the argument must be negative: ln(1-z) at z = -V/Va".into()),
+            mended: mended(
+                "hyp2f1r(1, 1; 2; -V/Va) == Va*ln(Vb/Va)/V",
+                "certificates/near.proof",
+            ),
+            ..wrong(
+                "near",
+                "hyp2f1r(1, 1; 2; V/Va) == Va*ln(Vb/Va)/V",
+                witness(finite, Some(0.415), Cause::Disjoint),
+            )
+        },
+        wrong(
+            "far",
+            "k^2 == 1/k",
+            witness([Some("4"), Some("1/2")], Some(0.875), Cause::Disjoint),
+        ),
+        wrong(
+            "infinite",
+            "mean(1/r) == 2",
+            witness([Some("+inf"), Some("2")], None, Cause::Disjoint),
+        ),
+    ]
 }
 
 fn open() -> Report {
