@@ -131,6 +131,20 @@ fn texts_and_places_are_those_of_the_file() {
 }
 
 #[test]
+fn page_and_quote_are_taken_over_by_same() {
+    let book = book(
+        "```claim a\nsays words\npage 22-23\nquote the error is\n  at most 5%\n```\n\n\
+         ```claim b\nsame a\npage iv\n```\n",
+    );
+    let found = |index: usize| {
+        let claim = &book.claims[index];
+        (claim.page.as_deref(), claim.quote.as_deref())
+    };
+    assert_eq!(found(0), (Some("22-23"), Some("the error is at most 5%")));
+    assert_eq!(found(1), (Some("iv"), Some("the error is at most 5%")));
+}
+
+#[test]
 fn define_blocks_are_used() {
     let text = "```claim 1\nuse scene\nsays mean(2*Y) == n\n```\n\
                 ```define scene\ngiven int n\ndraw x ~ beta(1, n)\nlet Y = x*n\n```\n";
@@ -251,6 +265,24 @@ const FAULTY: &[(&str, &str, &str, &str)] = &[
         "a number stands against a name",
         "write `2*k`",
         "2k",
+    ),
+    (
+        "says words\npage see page 22",
+        "this is no page",
+        "write one page or a range of pages: `22`, `iv`, `22-23`",
+        "see page 22",
+    ),
+    (
+        "says words\nquote",
+        "this line says nothing",
+        "",
+        "quote",
+    ),
+    (
+        "says words\npage 22\npage 23",
+        "a second `page` line",
+        "",
+        "page 23",
     ),
     ("sais 1 == 1", "no line begins so", "write `says`", "sais"),
     (

@@ -23,6 +23,8 @@ pub(super) enum Item {
         sufficient: bool,
     },
     After(Name),
+    Page(String),
+    Quote(String),
     Slip(String),
     Why(String),
     Expect(Expectation),
@@ -55,12 +57,14 @@ pub(super) enum Keyword {
     Says,
     Mend,
     Needs,
+    Page,
+    Quote,
     Slip,
     Why,
     Expect,
 }
 
-const KEYWORDS: [(&str, Keyword); 13] = [
+const KEYWORDS: [(&str, Keyword); 15] = [
     ("given", Keyword::Given),
     ("draw", Keyword::Draw),
     ("let", Keyword::Let),
@@ -71,6 +75,8 @@ const KEYWORDS: [(&str, Keyword); 13] = [
     ("mend", Keyword::Mend),
     ("needs", Keyword::Needs),
     ("after", Keyword::After),
+    ("page", Keyword::Page),
+    ("quote", Keyword::Quote),
     ("slip", Keyword::Slip),
     ("why", Keyword::Why),
     ("expect", Keyword::Expect),
@@ -147,6 +153,8 @@ fn content(keyword: Keyword, source: &LogicalLine<'_>) -> Result<(Item, Vec<Ment
         Keyword::Says => parse(source, |parser| parser.statement().map(Item::Says)),
         Keyword::Mend => parse(source, |parser| parser.statement().map(Item::Mend)),
         Keyword::Needs => needs(source),
+        Keyword::Page => plain(Item::Page(page(source)?)),
+        Keyword::Quote => plain(Item::Quote(words(source)?)),
         Keyword::Slip => plain(Item::Slip(words(source)?)),
         Keyword::Why => plain(Item::Why(words(source)?)),
         Keyword::Expect => {
@@ -225,4 +233,25 @@ fn words(source: &LogicalLine<'_>) -> Result<String, Diagnostic> {
         });
     }
     Ok(words)
+}
+
+/// How long the name of a page may be.
+const MAX_PAGE: usize = 20;
+
+/// A page as the text counts it, or a range of pages.
+fn page(source: &LogicalLine<'_>) -> Result<String, Diagnostic> {
+    let page = words(source)?;
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '-');
+    if page.len() <= MAX_PAGE && page.chars().all(is_part) {
+        return Ok(page);
+    }
+    let start = source.start + (source.text.len() - source.text.trim_start().len());
+    Err(Diagnostic {
+        span: Span {
+            start,
+            end: source.start + source.text.trim_end().len(),
+        },
+        message: "this is no page".to_string(),
+        hint: Some("write one page or a range of pages: `22`, `iv`, `22-23`".to_string()),
+    })
 }

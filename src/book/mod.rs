@@ -59,6 +59,10 @@ pub struct Claim {
     /// `read REGIME`: takes the place of the statement's own regime. Where it names no limit, those of
     /// the statement stay.
     pub read: Option<Regime>,
+    /// Where in the paper it stands: `22`, `iv`, `22-23`.
+    pub page: Option<String>,
+    /// The words of the text that the claim judges.
+    pub quote: Option<String>,
     pub slip: Option<String>,
     pub why: Option<String>,
     pub expect: Option<Expectation>,

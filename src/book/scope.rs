@@ -74,6 +74,8 @@ pub(super) fn claim(header: &Header<'_>, lines: &[Arc<Line>]) -> Result<Claim, V
         needs: None,
         after: None,
         read: None,
+        page: None,
+        quote: None,
         slip: None,
         why: None,
         expect: None,
@@ -127,6 +129,8 @@ fn fill(claim: &mut Claim, line: &Line, header: &Header<'_>) {
         }
         Item::After(id) => claim.after = Some(id.clone()),
         Item::Read(regime) => claim.read = Some(regime.clone()),
+        Item::Page(page) => claim.page = Some(page.clone()),
+        Item::Quote(words) => claim.quote = Some(words.clone()),
         Item::Slip(words) => claim.slip = Some(words.clone()),
         Item::Why(words) => claim.why = Some(words.clone()),
         Item::Expect(expect) => {

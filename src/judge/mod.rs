@@ -112,6 +112,8 @@ pub fn judge_with(
         needs: claim.needs.as_ref().map(|needs| needs.text.clone()),
         needs_fault,
         sufficient: claim.needs.as_ref().is_some_and(|needs| needs.sufficient),
+        page: claim.page.clone(),
+        quote: claim.quote.clone(),
         slip: claim.slip.clone(),
         why: claim.why.clone(),
         expected: claim.expect_text.clone().unwrap_or_default(),

@@ -70,6 +70,10 @@ pub struct Report {
     /// What is wrong with `needs`, if anything ("stronger than necessary").
     pub needs_fault: Option<String>,
     pub sufficient: bool,
+    /// Where in the paper the claim stands.
+    pub page: Option<String>,
+    /// The words of the text that it judges.
+    pub quote: Option<String>,
     pub slip: Option<String>,
     pub why: Option<String>,
     pub expected: String,

@@ -12,10 +12,11 @@
 //! To read it from below: [`interval`] and [`polynomial`], then [`fraction`] (functions of an
 //! integral's variable) and [`integrate`]; [`functions`] and [`hypergeometric`]; [`scope`] (what
 //! names mean); [`value`](mod@value), the one walk over formulas, with [`condition`],
-//! [`integrand`], [`law`] and [`calculus`]; [`witness`] last.
+//! [`integrand`], [`law`] and [`calculus`] (over [`derivative`]); [`witness`] last.
 
 mod calculus;
 mod condition;
+mod derivative;
 mod fraction;
 mod functions;
 mod hypergeometric;

@@ -37,6 +37,8 @@ pub fn head(claim: &Claim) -> String {
     let place = format!("{}:{}", claim.file.display(), claim.line);
     page.title(&format!("{} {}", claim.id, paint(FAINT, &place)));
     let lines = [
+        ("page", claim.page.as_ref()),
+        ("quote", claim.quote.as_ref()),
         ("expect", claim.expect_text.as_ref()),
         ("says", Some(&claim.says_text)),
         ("mend", claim.mend_text.as_ref()),

@@ -10,7 +10,6 @@
 //! A [`Theorem`] has private fields and is made by [`Proof::theorem`] only.
 
 mod certificate;
-mod derivative;
 mod fact;
 mod known;
 mod normal;
@@ -20,10 +19,10 @@ mod rules;
 mod tests;
 
 pub use certificate::{Certificate, Flaw, Line, Script, Shown, parse, replay};
-pub use derivative::derive;
 pub use fact::Fact;
 pub use rule::Rule;
 
+pub use super::derivative::derive;
 use super::{Unknown, check_example};
 use crate::formula::{
     Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_reserved,
@@ -65,6 +64,12 @@ fn reject<T>(why: &str) -> Result<T, Rejected> {
 /// Rejects with the reason unless the condition holds.
 fn require(holds: bool, why: &str) -> Result<(), Rejected> {
     if holds { Ok(()) } else { reject(why) }
+}
+
+impl From<Unknown> for Rejected {
+    fn from(Unknown(why): Unknown) -> Rejected {
+        Rejected(why)
+    }
 }
 
 impl From<crate::formula::TooLarge> for Rejected {

@@ -11,6 +11,8 @@ const INDENT: usize = 12;
 pub fn render(report: &Report) -> String {
     let place = paint(FAINT, &format!("{}:{}", report.file, report.line));
     let mut text = format!("{} {place}\n", paint(STRONG, &report.id));
+    optional(&mut text, "page", report.page.as_deref());
+    optional(&mut text, "quote", report.quote.as_deref());
     line(&mut text, "expected", tally::expected(report));
     if !report.as_expected {
         text.push_str(&format!("  {}\n", paint(BAD, "not as expected")));

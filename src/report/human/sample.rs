@@ -43,6 +43,8 @@ fn report(id: &str, line: usize, printed: Answer) -> Report {
         needs: None,
         needs_fault: None,
         sufficient: false,
+        page: None,
+        quote: None,
         slip: None,
         why: None,
         expected: "printed proved".into(),

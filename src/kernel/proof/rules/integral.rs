@@ -1,10 +1,10 @@
 //! The rules of integrals and sums.
 
-use super::super::derivative::derive;
 use super::super::known::{above, minus, strictly_between};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked, body_at, depends, put};
-use crate::formula::{Formula, Function, Name, Operator, RangeKind, Ranged};
+use crate::formula::{Formula, Name, Operator, RangeKind, Ranged};
+use crate::kernel::derivative::{self, derive};
 
 impl<'a> Check<'a, '_> {
     pub(super) fn primitive(&self) -> Checked {
@@ -205,25 +205,10 @@ fn plus_one(e: &Formula) -> Formula {
     Formula::binary(Operator::Add, e.clone(), Formula::integer(1))
 }
 
-/// The formula is continuous in x wherever it is finite: it is made of operations that are so.
-/// A power with an exponent free of x is one of them: it is finite by its base's sign or by its
-/// integer exponent, the same way on the whole range.
+/// The formula is continuous in x wherever it is finite.
 pub(super) fn is_continuous(e: &Formula, x: &Name) -> Checked {
-    if !depends(e, x) {
-        return Ok(());
-    }
-    match e {
-        Formula::Name(_) => Ok(()),
-        Formula::Negate(a) => is_continuous(a, x),
-        Formula::Binary(Operator::Power, a, b) if !depends(b, x) => is_continuous(a, x),
-        Formula::Binary(Operator::Power, ..) => reject("a power with a moving exponent"),
-        Formula::Binary(_, a, b) => {
-            is_continuous(a, x)?;
-            is_continuous(b, x)
-        }
-        Formula::Call(Function::Ln | Function::Sqrt, parts) | Formula::Apply(_, parts) => {
-            parts.iter().try_for_each(|part| is_continuous(part, x))
-        }
-        _ => reject("an integrand that is not known to be continuous"),
-    }
+    require(
+        derivative::is_continuous(e, x),
+        "the formula is not known to be continuous",
+    )
 }
