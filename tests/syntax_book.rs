@@ -233,6 +233,16 @@ const ILL_TYPED: &[(&str, &str, &str)] = &[
         "j",
     ),
     (
+        "given real r > 0\nlet X = r^2\nsays diff(X, r) == 2*r",
+        "`X` is defined with another `r` than the one bound where it stands; define it as `X(r)`",
+        "X",
+    ),
+    (
+        "given real r, c > 0\nlet F(s) = s + r\nsays int(F(c), r = 0..1) == c + r",
+        "`F` is defined with another `r`",
+        "F",
+    ),
+    (
         "given int j\nsays sum(j, j = 1..2) + i == j",
         "the name `i` is not declared",
         "i",

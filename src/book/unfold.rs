@@ -6,8 +6,8 @@ use super::typing::{Culprit, check, draws_of, has_order};
 use super::{Claim, Scope};
 use crate::formula::parser::{Mention, MentionKind};
 use crate::formula::{
-    Condition, Draw, Formula, Name, Parameter, ParameterKind, Proposition, Regime, Span, Statement,
-    Substitution, TooLarge, free_names,
+    Condition, Draw, Formula, Name, Parameter, ParameterKind, Part, Proposition, Regime, Span,
+    Statement, Substitution, TooLarge, free_names,
 };
 
 /// A statement that makes no sense as written, and where.
@@ -183,6 +183,25 @@ fn finish(
         span: place.span,
     };
     let unfolding = Unfolding::new(scope).map_err(too_large)?;
+    let bodies = scope.definitions.iter().map(|d| Part::Formula(&d.body));
+    let mut parts: Vec<Part> = bodies.collect();
+    parts.extend(
+        conditions
+            .iter()
+            .map(|condition| Part::Condition(condition)),
+    );
+    parts.extend(parts_of(statement));
+    for part in parts {
+        if let Some((name, bound)) = shadowed(part, &mut Vec::new(), &unfolding.substitution) {
+            return Err(IllTyped {
+                message: format!(
+                    "`{name}` is defined with another `{bound}` than the one bound where it stands; \
+                     define it as `{name}({bound})`"
+                ),
+                span: place_of(&Culprit::Name(name), place, &unfolding.substitution),
+            });
+        }
+    }
     let last = conditions
         .iter()
         .map(|condition| unfolding.substitution.condition(condition))
@@ -199,6 +218,51 @@ fn finish(
         message: fault.message,
     })?;
     Ok(proposition)
+}
+
+/// A definition used under a binder of a name that its body has too, and that name. The two are
+/// different symbols, which is hardly ever meant: `let X = r^2` makes `diff(X, r)` zero.
+fn shadowed<'a>(
+    part: Part<'a>,
+    bound: &mut Vec<&'a Name>,
+    definitions: &Substitution,
+) -> Option<(Name, Name)> {
+    if let Part::Formula(Formula::Name(name) | Formula::Apply(name, _)) = part
+        && !bound.contains(&name)
+        && let Some(other) = definitions.brings(name).find(|free| bound.contains(free))
+    {
+        return Some((name.clone(), other.clone()));
+    }
+    // These two bind without saying so.
+    let own = match part {
+        Part::Formula(Formula::Derivative(_, x, _) | Formula::Antiderivative(_, x)) => Some(x),
+        _ => None,
+    };
+    let mut found = None;
+    part.each(&mut |inner, names| {
+        if found.is_none() {
+            let outside = bound.len();
+            bound.extend(own.iter().chain(names));
+            found = shadowed(inner, bound, definitions);
+            bound.truncate(outside);
+        }
+    });
+    found
+}
+
+/// The formulas of a statement.
+fn parts_of(statement: &Statement) -> Vec<Part<'_>> {
+    match statement {
+        Statement::Chain { first, links, .. } => {
+            let rights = links.iter().map(|(_, right)| right);
+            std::iter::once(first)
+                .chain(rights)
+                .map(Part::Formula)
+                .collect()
+        }
+        Statement::All(items) => items.iter().flat_map(parts_of).collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// Where the symbol at fault stands: itself, or a definition that holds it.

@@ -107,6 +107,13 @@ impl Substitution {
         self.functions.insert(name, body);
     }
 
+    /// The free names of what is put for a name, or for an application of it, but for the arguments.
+    pub fn brings(&self, name: &Name) -> impl Iterator<Item = &Name> {
+        let value = self.values.get(name).map(|value| &value.free);
+        let body = self.functions.get(name).map(|body| &body.free);
+        value.into_iter().chain(body).flatten()
+    }
+
     /// The formula with all replacements made.
     ///
     /// # Errors
