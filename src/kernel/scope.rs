@@ -101,6 +101,11 @@ impl<'a> Scope<'a> {
         }
     }
 
+    /// Takes the steps of an operation on two functions.
+    pub fn spend_on(&self, a: &Fraction, b: &Fraction) -> Result<(), Unknown> {
+        self.spend((a.numerator.length() * b.numerator.length()) as u64)
+    }
+
     pub fn binds(&self, name: &Name) -> bool {
         self.bound.iter().any(|(bound, _)| bound == name)
     }
