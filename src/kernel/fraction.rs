@@ -258,6 +258,14 @@ mod tests {
             inverse.poles.into_iter().collect::<Vec<_>>(),
             vec![(ratio(0, 1), 1), (ratio(2, 1), 1), (ratio(3, 1), 1)]
         );
+        // 2x^2 - 6x + 4 = 2(x - 1)(x - 2)
+        let twice = Fraction::from(polynomial(&[4, -6, 2]))
+            .reciprocal()
+            .unwrap();
+        assert_eq!(
+            twice.poles.into_keys().collect::<Vec<_>>(),
+            vec![ratio(1, 1), ratio(2, 1)]
+        );
         assert!(Fraction::from(polynomial(&[1, 0, 1])).reciprocal().is_err());
         assert_eq!(
             Fraction::from(polynomial(&[])).reciprocal(),

@@ -1,17 +1,17 @@
 //! Elementary functions and Gamma, from one kind of series with a geometric bound on its tail.
 
-use super::interval::{Interval, integer_power, size};
+use super::interval::{Interval, integer_power};
 use super::{Found, Gap, Unknown, unknown};
 use crate::formula::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Pow, Signed, ToPrimitive};
 use std::cmp::Ordering;
 
 /// No number of more bits than this is made on purpose.
 pub(super) const SIZE_CAP: u64 = 1 << 20;
 /// No series is summed to more terms.
-const TERMS_CAP: u64 = 20_000;
+pub(super) const TERMS_CAP: u64 = 20_000;
 
 /// 1 + r_0 + r_0*r_1 + ... for factors of which all from r_j on have |r_i| <= q_j, where that is
 /// known: with q_j < 1 the rest from the term T_j on is at most |T_j|/(1-q_j), a geometric series.
@@ -28,8 +28,7 @@ pub(super) fn series(
     for j in 0..TERMS_CAP {
         let j = Rational::from_integer(j.into());
         let size = Rational::from_integer(term[0].abs().max(term[1].abs()));
-        if size <= negligible
-            && let Some(gap) = bound(&j).map(|bound| Rational::one() - bound)
+        if let Some(gap) = bound(&j).map(|bound| Rational::one() - bound)
             && gap.is_positive()
             && size <= &negligible * &gap
         {
@@ -78,8 +77,7 @@ pub(super) fn ln(q: &Rational, bits: u64) -> Result<Interval, Unknown> {
 }
 
 fn two_to(exponent: i64) -> Rational {
-    let power = Rational::from_integer(BigInt::one() << exponent.unsigned_abs());
-    if exponent < 0 { power.recip() } else { power }
+    Rational::from_integer(2.into()).pow(exponent)
 }
 
 /// pi = 16*arctan(1/5) - 4*arctan(1/239), Machin; follows from DLMF 4.24.15.
@@ -91,15 +89,15 @@ pub(super) fn pi(bits: u64) -> Result<Interval, Unknown> {
     Ok(&part(16, 5)? + &part(-4, 239)?)
 }
 
-/// e^x by Taylor's series at y = x/2^s with |y| <= 1/2, DLMF 4.2.19, and s squarings, each of which
+/// e^x by Taylor's series at y = x/2^s with |y| < 1, DLMF 4.2.19, and s squarings, each of which
 /// at most doubles the relative width.
 pub(super) fn exp(x: &Rational, bits: u64) -> Result<Interval, Unknown> {
-    let squarings = x.abs().ceil().to_integer().bits() + 1;
-    if squarings > 17 {
+    let squarings = x.abs().ceil().to_integer().bits();
+    if squarings > 16 {
         return unknown("exp of a large number");
     }
     let y = x / two_to(squarings as i64);
-    let bits = bits + 2 * squarings;
+    let bits = bits + squarings;
     let mut result = series(bits, |j| &y / (j + Rational::one()), |_| Some(y.abs()))?;
     for _ in 0..squarings {
         result = result.power(2).rounded(bits);
@@ -111,16 +109,12 @@ pub(super) fn exp(x: &Rational, bits: u64) -> Result<Interval, Unknown> {
 /// from floor(floor(y)^(1/n)) = floor(y^(1/n)).
 pub(super) fn root(q: &Rational, index: u32, bits: u64) -> Result<Interval, Unknown> {
     let near = Rational::new(q.numer().nth_root(index), q.denom().nth_root(index));
-    if size(&near) * u64::from(index) <= SIZE_CAP && integer_power(&near, index) == *q {
+    if integer_power(&near, index) == *q {
         return Ok(Interval::exact(near));
     }
-    let smallness = q.denom().bits() / u64::from(index);
-    let scale = bits + smallness + 2;
-    let shift = scale.saturating_mul(index.into());
-    if shift > SIZE_CAP {
-        return unknown("a root of too high an index");
-    }
-    let floor = (q.numer() << shift).div_floor(q.denom()).nth_root(index);
+    let scale = bits + q.denom().bits() / u64::from(index);
+    let scaled = q.numer() << (scale * u64::from(index));
+    let floor = scaled.div_floor(q.denom()).nth_root(index);
     let unit = BigInt::one() << scale;
     let above = Rational::new(&floor + 1, unit.clone());
     Ok(Interval::between(Rational::new(floor, unit), above))
@@ -132,7 +126,7 @@ pub(super) fn power(x: &Interval, y: &Interval, bits: u64) -> Found<Interval> {
         Some(exponent) if exponent.is_integer() => integer_exponent(x, exponent.numer()),
         Some(exponent) => fractional_exponent(x, exponent, bits),
         None if x.is_positive() => {
-            let exponent = &x.increasing(|q| ln(q, bits + 8))? * y;
+            let exponent = &x.increasing(|q| ln(q, bits))? * y;
             Ok(exponent.increasing(|q| exp(q, bits))?)
         }
         None => unknown("a power whose exponent is not exact, of a number not known positive"),
@@ -161,8 +155,8 @@ fn fractional_exponent(x: &Interval, exponent: &Rational, bits: u64) -> Found<In
         return unknown("a root of what may be negative at these bits");
     }
     match exponent.denom().to_u32() {
-        Some(index) if index <= 1 << 10 => {
-            let base = x.increasing(|q| root(q, index, bits + 8))?;
+        Some(index) if index <= 1024 => {
+            let base = x.increasing(|q| root(q, index, bits))?;
             integer_exponent(&base, exponent.numer())
         }
         _ => unknown("a power with a large denominator in its exponent"),
@@ -220,7 +214,7 @@ pub(super) fn gamma(x: &Rational, bits: u64) -> Found<Interval> {
         return unknown("gamma away from integers and half integers");
     }
     let half = Rational::new(1.into(), 2.into());
-    let root_of_pi = pi(bits + 8)?.increasing(|q| root(q, 2, bits + 8))?;
+    let root_of_pi = pi(bits)?.increasing(|q| root(q, 2, bits))?;
     let steps = (x - &half).to_integer();
     let factor = if steps.is_negative() {
         // Gamma(1/2) = (x)_n*Gamma(x) with n = 1/2 - x, and no factor is zero.
@@ -304,6 +298,36 @@ mod tests {
             power(&Interval::integer(0), &Interval::integer(-1), 64),
             Err(Gap::Undefined)
         );
+    }
+
+    /// Of small roots and large powers too the digits asked for are there, and not many more.
+    #[test]
+    fn enclosures_are_as_narrow_as_asked_for() {
+        let one = Rational::one();
+        for found in [
+            root(&ratio(2, 1).pow(-201_i64), 2, 64),
+            root(&ratio(2, 1).pow(201_i64), 2, 64),
+            root(&ratio(7, 5), 3, 64),
+            exp(&ratio(100, 1), 64),
+            exp(&ratio(-100, 3), 64),
+        ] {
+            let found = found.unwrap();
+            let width = found.high() / found.low() - &one;
+            assert!(width < ratio(1, 1 << 60) && found.size() < 500, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn sizes_have_a_cap() {
+        let base = |bits: u64| Interval::integer(BigInt::one() << (bits - 2));
+        // One factor of this size, and a bit for the length and the sum each.
+        assert!(pochhammer(&base(SIZE_CAP - 2), &1.into()).is_ok());
+        assert!(pochhammer(&base(SIZE_CAP - 1), &1.into()).is_err());
+        assert!(integer_exponent(&base(SIZE_CAP), &1.into()).is_ok());
+        assert!(integer_exponent(&base(SIZE_CAP + 1), &1.into()).is_err());
+        // n bits(n) is 2^12*13, and 2^16*17.
+        assert!(factorial(&4096.into()).is_ok());
+        assert!(factorial(&65536.into()).is_err());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Gauss's 2F1 at rational points: a finite sum, or the series with a bound on its tail.
 
-use super::functions::{gamma, power, series};
+use super::functions::{TERMS_CAP, gamma, power, series};
 use super::interval::{Interval, size};
 use super::scope::Scope;
 use super::{Found, Gap, Unknown, unknown};
@@ -8,9 +8,6 @@ use crate::formula::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
-
-/// No finite sum of more terms is taken.
-const TERMS_CAP: u64 = 20_000;
 
 /// hyp2f1(a, b; c; z).
 pub(super) fn hyp2f1([a, b, c, z]: [&Rational; 4], scope: &Scope) -> Found<Interval> {
@@ -32,10 +29,7 @@ pub(super) fn hyp2f1([a, b, c, z]: [&Rational; 4], scope: &Scope) -> Found<Inter
         Ordering::Equal => unknown("hyp2f1 at 1"),
         Ordering::Less if z.is_negative() => pfaff([a, b, c, z], scope),
         Ordering::Less => {
-            // The terms fall about like z^j, to 2^-bits after fewer than bits/(1-z) of them.
-            let terms = Rational::from_integer(scope.bits.into()) / (Rational::one() - z);
-            let terms = terms.to_integer().to_u64().unwrap_or(u64::MAX);
-            scope.spend(terms.saturating_mul(4 + scope.bits / 32))?;
+            scope.spend(TERMS_CAP)?;
             Ok(gauss([a, b, c, z], scope.bits)?)
         }
     }
@@ -67,7 +61,7 @@ fn finite_sum(p: [&Rational; 4], last: &BigInt, scope: &Scope) -> Result<Interva
     for j in 0..last {
         term *= factor(p, &Rational::from_integer(j.into()));
         sum += &term;
-        scope.spend(1 + size(&sum) / 16)?;
+        scope.spend(size(&sum))?;
     }
     Ok(Interval::exact(sum))
 }
@@ -81,7 +75,7 @@ fn pfaff([a, b, c, z]: [&Rational; 4], scope: &Scope) -> Found<Interval> {
 }
 
 /// The series at |z| < 1. From the term j on, with c + j > 0, each factor is at most
-/// q = |z|(1 + |a-c|/(c+j))(1 + |b-1|/(j+1)), which falls with j.
+/// q = |z|(1 + |a-c|/(c+j))(1 + |b|/(j+1)), which falls with j.
 fn gauss(p: [&Rational; 4], bits: u64) -> Result<Interval, Unknown> {
     let [a, b, c, z] = p;
     let one = Rational::one();
@@ -91,7 +85,7 @@ fn gauss(p: [&Rational; 4], bits: u64) -> Result<Interval, Unknown> {
             return None;
         }
         let first = &one + (a - c).abs() / below;
-        let second = &one + (b - &one).abs() / (j + &one);
+        let second = &one + b.abs() / (j + &one);
         Some(z.abs() * first * second)
     };
     series(bits, |j| factor(p, j), bound)
@@ -131,6 +125,35 @@ mod tests {
             at(int(-2), int(3), int(4), int(5), 64),
             Ok(Interval::exact(sum))
         );
+    }
+
+    /// The poles of c cut a sum off that is longer, not one that ends there (DLMF 15.2.4 and 15.2.5).
+    #[test]
+    fn poles_of_c() {
+        let at = |a, c, z| at(int(a), int(1), int(c), z, 64);
+        assert_eq!(at(-3, -2, ratio(1, 2)), Err(Gap::Undefined));
+        for (a, c, z) in [
+            (-2, -2, ratio(1, 2)),
+            (-1, -2, ratio(1, 2)),
+            (1, -2, int(0)),
+        ] {
+            assert!(matches!(at(a, c, z), Err(Gap::Unknown(_))));
+        }
+    }
+
+    /// Terms that are small before they grow. All are positive, so that each is less than the sum.
+    #[test]
+    fn a_tail_is_not_cut_before_it_falls() {
+        let small = Rational::new(1.into(), BigInt::one() << 110_u32);
+        let term = |j: i64| {
+            let factor = |i: i64| ratio(200 + i, 10 + i) * ratio(1, 2) * ratio(i.max(1), i + 1);
+            (0..j).fold(small.clone(), |term, i| term * factor(i))
+        };
+        assert!(term(150) > int(1 << 20));
+        for [a, b] in [[int(200), small.clone()], [small.clone(), int(200)]] {
+            let found = at(a, b, int(10), ratio(1, 2), 64).unwrap();
+            assert!(*found.high() > term(150));
+        }
     }
 
     /// 2F1(1,1;2;z) = -ln(1-z)/z, DLMF 15.4.1, with and without Pfaff's transformation.

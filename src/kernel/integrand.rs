@@ -47,8 +47,9 @@ pub(super) fn over_range(
 ) -> Found<Quantity> {
     let function = |sample: &Rational| -> Found<Fraction> {
         let body = finite(body, &scope.at(sample))?;
-        scope.spend((body.numerator.length() * (20 + weight.length())) as u64)?;
-        Ok(body.times(&weight.clone().into())?)
+        let weight = Fraction::from(weight.clone());
+        scope.spend_on(&body, &weight)?;
+        Ok(body.times(&weight)?)
     };
     match from.compare(to)? {
         Ordering::Less => {}

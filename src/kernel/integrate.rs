@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 /// How often a range is halved in the search for the sign of a polynomial.
 const HALVINGS: u32 = 8;
 /// The sign of no polynomial with more coefficients is looked for.
-const LENGTH_CAP: usize = 300;
+const LENGTH_CAP: usize = 100;
 
 /// A part of a range, from one end to a larger one, and the integrand there.
 pub(super) struct Piece {
@@ -28,11 +28,11 @@ pub(super) struct Piece {
 
 /// The integral over all pieces of a range.
 pub(super) fn total(pieces: &[Piece], bits: u64) -> Found<Quantity> {
-    let mut diverges = false;
-    for piece in pieces {
-        diverges |= piece.diverges()?;
-    }
-    if diverges {
+    let diverge: Vec<bool> = pieces
+        .iter()
+        .map(Piece::diverges)
+        .collect::<Result<_, _>>()?;
+    if diverge.contains(&true) {
         return infinite(pieces);
     }
     let mut sum = Interval::integer(0);
@@ -114,7 +114,7 @@ impl Piece {
         }
         // Terms may be large and cancel: the logarithms get as many bits more as the largest has.
         let size = |(_, part): &(_, Vec<Interval>)| part.iter().map(Interval::size).max();
-        let bits = bits + parts.iter().filter_map(size).max().unwrap_or(0) + 32;
+        let bits = bits + parts.iter().filter_map(size).max().unwrap_or(0);
         let whole = whole.antiderivative();
         let mut sum = &whole.at(&self.to) - &whole.at(&self.from);
         for (root, part) in parts {
@@ -251,6 +251,7 @@ mod tests {
             .number()
             .unwrap();
         assert!(found.low() <= known.low() && known.high() <= found.high());
+        assert!(found.high() - found.low() < ratio(1, 1 << 60) && found.size() < 250);
     }
 
     #[test]
@@ -297,5 +298,16 @@ mod tests {
         assert!(enclosed.sign().is_err());
         // (3x - 1)^2: the double root is never at an end of a half.
         assert!(sign(&[1, -6, 9], &[]).is_err());
+        // A coefficient that may be of either sign.
+        let mut vague = piece(&[1], &[], 0, 1);
+        vague.function = Interval::between(ratio(-1, 1), ratio(2, 1)).into();
+        assert!(vague.sign().is_err());
+        let monomial = |length| {
+            let mut coefficients = vec![0; length];
+            coefficients[length - 1] = 1;
+            piece(&coefficients, &[], 0, 1).sign()
+        };
+        assert_eq!(monomial(LENGTH_CAP), Ok(Some(Ordering::Greater)));
+        assert!(monomial(LENGTH_CAP + 1).is_err());
     }
 }

@@ -106,6 +106,11 @@ impl<'a> Scope<'a> {
         self.spend(1 + self.bound.len() as u64 / 4)
     }
 
+    /// Takes the steps of an operation on two functions.
+    pub fn spend_on(&self, a: &Fraction, b: &Fraction) -> Result<(), Unknown> {
+        self.spend((a.numerator.length() * b.numerator.length()) as u64)
+    }
+
     pub fn binds(&self, name: &Name) -> bool {
         self.bound.iter().any(|(bound, _)| bound == name)
     }

@@ -20,7 +20,7 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 
 /// No value is asked for with more bits.
-const BITS_CAP: u32 = 1 << 14;
+const BITS_CAP: u32 = 1024;
 /// No range of more terms is walked.
 const TERMS_CAP: u64 = 100_000;
 
@@ -138,7 +138,7 @@ fn binary(operator: Operator, a: &Formula, b: &Formula, scope: &Scope) -> Found<
     }
     let (left, right) = (evaluate(a, scope)?, evaluate(b, scope)?);
     if let (Quantity::Finite(a), Quantity::Finite(b)) = (&left, &right) {
-        scope.spend((a.numerator.length() * b.numerator.length()) as u64)?;
+        scope.spend_on(a, b)?;
     }
     match operator {
         Operator::Add => left.plus(&right),

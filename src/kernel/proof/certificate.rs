@@ -193,16 +193,12 @@ impl Proof<'_> {
 
 /// The lines of a text, one after the other.
 struct Lines<'t> {
-    rest: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'t>>>,
+    rest: std::iter::Enumerate<std::str::Lines<'t>>,
     /// The number of the last line taken, from 1.
     at: usize,
 }
 
 impl<'t> Lines<'t> {
-    fn peek(&mut self) -> Option<&'t str> {
-        self.rest.peek().map(|(_, line)| line.trim())
-    }
-
     fn next(&mut self) -> Option<&'t str> {
         let (at, line) = self.rest.next()?;
         self.at = at + 1;
@@ -227,7 +223,7 @@ impl<'t> Lines<'t> {
 
 fn read(text: &str) -> Result<Vec<Read>, Flaw> {
     let mut lines = Lines {
-        rest: text.lines().enumerate().peekable(),
+        rest: text.lines().enumerate(),
         at: 0,
     };
     if text.len() > TEXT_CAP {
@@ -318,8 +314,7 @@ fn refutation(lines: &mut Lines) -> Result<Read, Flaw> {
 /// The canonical text of a proposition ends with its `says` line.
 fn proposition(lines: &mut Lines) -> Result<Proposition, Flaw> {
     let mut text = String::new();
-    while let Some(line) = lines.peek() {
-        lines.next();
+    while let Some(line) = lines.next() {
         text.push_str(line);
         if line.starts_with("says ") {
             return parse_proposition(&text).or_else(|error| lines.flaw(error));
@@ -519,14 +514,11 @@ impl Display for Script {
             }
         }
         write!(f, "qed")?;
-        let mut link = 0;
-        for (proved, step) in &self.links {
-            while link < *proved {
-                write!(f, " -")?;
-                link += 1;
-            }
-            write!(f, " {}", step + 1)?;
-            link += 1;
+        let mut next = 0;
+        for (link, step) in &self.links {
+            let open = link.saturating_sub(next);
+            write!(f, "{} {}", " -".repeat(open), step + 1)?;
+            next = link + 1;
         }
         writeln!(f)
     }

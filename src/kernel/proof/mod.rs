@@ -319,13 +319,13 @@ impl<'p> Proof<'p> {
             }
             _ => None,
         };
-        let blocks = self.open.clone();
+        let (step, blocks) = (self.steps.len(), self.open.clone());
         self.steps.push(Proved {
             fact,
             blocks,
             difference,
         });
-        Ok(self.steps.len() - 1)
+        Ok(step)
     }
 
     /// Every free name of a fact is a parameter, a draw, or a variable of an open block, and no mean

@@ -340,3 +340,29 @@ impl Proof<'_> {
         Ok(*atoms.entry(atom).or_insert(next))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    /// A product takes a step for each pair of terms, times the words of its coefficients.
+    #[test]
+    fn products_are_paid_for() {
+        let power_of_two = |bits: u32| Rational::from_integer(2.into()).pow(bits as i32);
+        let monomial = |atom| Monomial::from([(atom, 1)]);
+        let sum = |bits| {
+            let one = Polynomial::term(monomial(0), Rational::one());
+            one.plus(&Polynomial::term(monomial(1), power_of_two(bits)))
+        };
+        for (left, right, steps) in [
+            (sum(0), sum(1), 4),
+            (sum(98), sum(98), 4 * (1 + 3)),
+            (sum(98), Polynomial::constant(Rational::one()), 2 * (1 + 1)),
+        ] {
+            let fuel = Fuel(Cell::new(100));
+            assert!(left.times(&right, &fuel).is_ok());
+            assert_eq!(fuel.0.get(), 100 - steps);
+        }
+    }
+}

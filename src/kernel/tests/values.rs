@@ -91,9 +91,14 @@ fn infinite_values() {
         "-(-inf)",
         "mean(1/x, x ~ beta(1, 3))",
         "int(1/x^2, x = -1..1)",
+        "int(1/abs(x), x = -1..1)",
+        "int([x < 1]/x, x = 0..2)",
     ] {
         assert_eq!(closed(text), Ok(Value::PlusInfinity), "{text}");
     }
+    // Where it is zero a function has no other sign than elsewhere.
+    let cut = closed("int([x < 1]/(x - 1), x = 0..2)");
+    assert_eq!(cut, Ok(Value::MinusInfinity));
 }
 
 /// What the rules of calculus say where they do not hold is no value.

@@ -51,7 +51,7 @@ struct Walk<'c, 'a, 'p> {
 impl Walk<'_, '_, '_> {
     /// Whether two formulas are alike but for exchanged sides of premises.
     fn same(&self, a: &Formula, b: &Formula, under: &mut Vec<Crossed>) -> Known {
-        self.check.proof.spend(1 + self.premises.len() as u64)?;
+        self.check.proof.spend(self.premises.len().max(1) as u64)?;
         if a == b
             || self
                 .premises
