@@ -583,7 +583,7 @@ fn what_has_not_changed_is_not_judged_again() {
     let chapter = PINNED.replace("says   k/(k-1) == 1 + 1/(k-1) - 1/k\n", right);
     fs::write(folder.join("chapter.md"), chapter).expect("can be written");
     let changed = cached(&folder, &cache, &[]).0;
-    assert_eq!(changed["claims"][0]["printed"]["fault"], "domain");
+    assert_eq!(changed["claims"][0]["printed"]["verdict"], "proved");
     assert_eq!(entries().len(), 3);
 }
 

@@ -64,14 +64,14 @@ impl Cache {
         Ok(Cache { folder: own })
     }
 
-    /// The name of the report on a claim.
-    pub fn key(
+    /// The entry for the report on a claim, whether it is there or not.
+    pub fn entry(
         &self,
         claim: &Claim,
         previous: Option<&Claim>,
         store: Option<&Store>,
         settings: &Settings,
-    ) -> Key {
+    ) -> Entry {
         let canonical = |statement: Result<Proposition, IllTyped>| match statement {
             Ok(proposition) => Ok(proposition.to_string()),
             Err(illtyped) => Err(illtyped.to_string()),
@@ -102,16 +102,20 @@ impl Cache {
         let all = format!("{statements:?}\n{words:?}\n{certificates:?}\n{settings:?}");
         let mut digest = Digest::new();
         digest.write(all.as_bytes());
-        Key(self.folder.join(digest.hex()))
+        Entry(self.folder.join(digest.hex()))
     }
+}
 
-    /// The report that is kept under this name, now of the claim at its present place. Its evidence
-    /// is not kept.
-    pub fn read(&self, key: &Key, claim: &Claim) -> Found {
-        let entry = match fs::read(&key.0) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Found::Nothing,
-            Err(_) => return Found::Damaged,
-            Ok(entry) => entry,
+/// The file of a report that is kept, or is to be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry(PathBuf);
+
+impl Entry {
+    /// The report, now of the claim at its present place. Its evidence is not kept.
+    pub fn read(&self, claim: &Claim) -> Found {
+        // What cannot be read is as good as not there; what cannot be replaced either is told then.
+        let Ok(entry) = fs::read(&self.0) else {
+            return Found::Nothing;
         };
         let Some(mut report) = unsealed(&entry) else {
             return Found::Damaged;
@@ -125,14 +129,10 @@ impl Cache {
     ///
     /// # Errors
     /// Those of the file system.
-    pub fn write(&self, key: &Key, report: &Report) -> io::Result<()> {
-        replace(&key.0, &sealed(report)?)
+    pub fn write(&self, report: &Report) -> io::Result<()> {
+        replace(&self.0, &sealed(report)?)
     }
 }
-
-/// The file of an entry.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Key(PathBuf);
 
 /// A line with the checksum, then the report.
 fn sealed(report: &Report) -> io::Result<String> {
@@ -228,15 +228,15 @@ mod tests {
     const BOOK: &str = "\
 ```claim a
 given  int k with k >= 1
-says   k/(k - 1) == 1 + 1/(k - 1)
-needs  k >= 2
-expect printed refuted domain, mended proved
+says   k^2 == 2*k
+mend   k^2 == k*k
+expect printed refuted, mended proved
 ```
 
 ```claim b
 given  int k with k >= 1
 after  a
-says   k/(k - 1) == 1 + 1/(k - 1) == k
+says   2*k == k + k == k
 why    it goes on
 ```
 ";
@@ -256,11 +256,11 @@ why    it goes on
         )
     }
 
-    fn key_of(cache: &Cache, text: &str, id: &str, settings: &Settings) -> Key {
+    fn entry_of(cache: &Cache, text: &str, id: &str, settings: &Settings) -> Entry {
         let book = book(text);
         let claims = book.by_id();
         let previous = claims[id].after.as_ref().map(|id| claims[&**id]);
-        cache.key(claims[id], previous, None, settings)
+        cache.entry(claims[id], previous, None, settings)
     }
 
     #[test]
@@ -269,16 +269,16 @@ why    it goes on
         let settings = Settings::default();
         let book = book(BOOK);
         for claim in &book.claims {
-            let key = cache.key(claim, None, None, &settings);
-            assert_eq!(cache.read(&key, claim), Found::Nothing);
+            let entry = cache.entry(claim, None, None, &settings);
+            assert_eq!(entry.read(claim), Found::Nothing);
             let mut report = judge(claim, None, &settings);
-            cache.write(&key, &report).expect("can be written");
+            entry.write(&report).expect("can be written");
             report.printed.evidence = None;
             if let Some(mended) = &mut report.mended {
                 mended.evidence = None;
             }
             let found = Found::Report(Box::new(report));
-            assert_eq!(cache.read(&key, claim), found);
+            assert_eq!(entry.read(claim), found);
         }
         fs::remove_dir_all(&folder).expect("it is there");
     }
@@ -287,15 +287,15 @@ why    it goes on
     fn a_claim_that_has_only_moved_is_the_same() {
         let (cache, _) = cache("moved");
         let settings = Settings::default();
-        let key = |text: &str| key_of(&cache, text, "b", &settings);
+        let entry = |text: &str| entry_of(&cache, text, "b", &settings);
         let moved = format!("# A title\n\n{BOOK}");
-        assert_eq!(key(BOOK), key(&moved));
+        assert_eq!(entry(BOOK), entry(&moved));
         let other = book(&moved);
         let claim = &other.claims[0];
-        let key = cache.key(claim, None, None, &settings);
+        let entry = cache.entry(claim, None, None, &settings);
         let report = judge(&book(BOOK).claims[0], None, &settings);
-        cache.write(&key, &report).expect("can be written");
-        let Found::Report(found) = cache.read(&key, claim) else {
+        entry.write(&report).expect("can be written");
+        let Found::Report(found) = entry.read(claim) else {
             panic!("it is there");
         };
         assert_eq!((report.line, found.line), (1, 3));
@@ -306,14 +306,11 @@ why    it goes on
     fn whatever_a_report_depends_on_changes_its_name() {
         let (cache, _) = cache("keys");
         let usual = Settings::default();
-        let kept = key_of(&cache, BOOK, "b", &usual);
+        let kept = entry_of(&cache, BOOK, "b", &usual);
         let changes = [
             ("k >= 1\nafter", "k >= 2\nafter"),
             ("== k\n", "== k + 0\n"),
-            (
-                "says   k/(k - 1) == 1 + 1/(k - 1)\n",
-                "says   k/(k - 1) == 1/(k - 1) + 1\n",
-            ),
+            ("says   k^2 == 2*k\n", "says   k^2 == k*2\n"),
             ("it goes on", "it goes  further"),
             ("why ", "slip"),
             ("why    it goes on\n", "why    it goes on\npage 22\n"),
@@ -325,7 +322,7 @@ why    it goes on
         for (old, new) in changes {
             let changed = BOOK.replacen(old, new, 1);
             assert_ne!(changed, BOOK, "{old}");
-            assert_ne!(key_of(&cache, &changed, "b", &usual), kept, "{new}");
+            assert_ne!(entry_of(&cache, &changed, "b", &usual), kept, "{new}");
         }
         let others = [
             Settings { seed: 2, ..usual },
@@ -337,16 +334,16 @@ why    it goes on
             Settings { points: 7, ..usual },
         ];
         for other in others {
-            assert_ne!(key_of(&cache, BOOK, "b", &other), kept, "{other:?}");
+            assert_ne!(entry_of(&cache, BOOK, "b", &other), kept, "{other:?}");
         }
         let book = book(BOOK);
         let claim = &book.claims[0];
         let folder = std::env::temp_dir().join(format!("claimcheck-kept-{}", std::process::id()));
         let store = Store::at(&folder);
-        let key = || cache.key(claim, None, Some(&store), &usual);
-        let before = key();
+        let entry = || cache.entry(claim, None, Some(&store), &usual);
+        let before = entry();
         replace(&store.path(claim), "theorem\n").expect("can be written");
-        assert_ne!(key(), before, "a certificate");
+        assert_ne!(entry(), before, "a certificate");
         fs::remove_dir_all(&folder).expect("it is there");
     }
 
@@ -356,11 +353,11 @@ why    it goes on
         let book = book(BOOK);
         let claim = &book.claims[0];
         let settings = Settings::default();
-        let key = cache.key(claim, None, None, &settings);
-        cache
-            .write(&key, &judge(claim, None, &settings))
+        let entry = cache.entry(claim, None, None, &settings);
+        entry
+            .write(&judge(claim, None, &settings))
             .expect("can be written");
-        let whole = fs::read_to_string(&key.0).expect("it is there");
+        let whole = fs::read_to_string(&entry.0).expect("it is there");
         let altered = [
             String::new(),
             whole[..whole.len() - 1].to_owned(),
@@ -372,11 +369,11 @@ why    it goes on
         ];
         for text in altered {
             assert_ne!(text, whole);
-            fs::write(&key.0, &text).expect("can be written");
-            assert_eq!(cache.read(&key, claim), Found::Damaged, "{text}");
+            fs::write(&entry.0, &text).expect("can be written");
+            assert_eq!(entry.read(claim), Found::Damaged, "{text}");
         }
-        fs::write(&key.0, b"\xff\n").expect("can be written");
-        assert_eq!(cache.read(&key, claim), Found::Damaged);
+        fs::write(&entry.0, b"\xff\n").expect("can be written");
+        assert_eq!(entry.read(claim), Found::Damaged);
         fs::remove_dir_all(&folder).expect("it is there");
     }
 

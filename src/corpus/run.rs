@@ -123,8 +123,8 @@ impl Work<'_> {
             return self.judged(claim, previous);
         };
         let store = self.options.certificates.as_ref();
-        let key = cache.key(claim, previous, store, self.settings);
-        match cache.read(&key, claim) {
+        let entry = cache.entry(claim, previous, store, self.settings);
+        match entry.read(claim) {
             Found::Report(report) => {
                 count(&self.counts.found);
                 return Ok(*report);
@@ -134,7 +134,7 @@ impl Work<'_> {
         }
         let report = self.judged(claim, previous)?;
         if self.counts.kept.fetch_add(1, Ordering::Relaxed) < MOST_ENTRIES
-            && cache.write(&key, &report).is_err()
+            && entry.write(&report).is_err()
         {
             count(&self.counts.unwritable);
         }

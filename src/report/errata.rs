@@ -130,7 +130,7 @@ impl Section {
 
     fn lead(self) -> &'static str {
         match self {
-            Section::Wrong => "Each fails at the point given with it.",
+            Section::Wrong => "Each fails at the point that is given with it, or has no meaning.",
             Section::ConditionMissing => {
                 "Each holds, but not without a condition that is not printed."
             }
@@ -282,8 +282,8 @@ fn witnessed(witness: &WitnessReport, facts: &mut Vec<(&'static str, Content)>) 
     let [left, right] = sides(witness);
     facts.push(("fails at", Content::Code(place(witness))));
     if witness.because == Cause::Remainder {
-        facts.push(("series of the left side", Content::Code(left.to_owned())));
-        facts.push(("series as printed", Content::Code(right.to_owned())));
+        facts.push(("the remainder is", Content::Code(left.to_owned())));
+        facts.push(("the print says", Content::Code(right.to_owned())));
         return;
     }
     facts.push(("left side there", Content::Code(left.to_owned())));
@@ -293,10 +293,10 @@ fn witnessed(witness: &WitnessReport, facts: &mut Vec<(&'static str, Content)>) 
     }
 }
 
-/// A share of the larger value, to three digits.
+/// A share of the larger value.
 fn percent(share: f64) -> String {
     match share >= 1e-3 {
-        true => format!("{:.3} %", 100.0 * share),
+        true => format!("{:.1} % of the larger", 100.0 * share),
         false => format!("{share:.2e} of the larger"),
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn escape(text: &str) -> String {
                 escaped.push(c);
             }
             // `--`, `<<` and the like would become ligatures.
-            '-' | '<' | '>' | '`' | '\'' | ',' => {
+            '-' | '<' | '>' => {
                 escaped.push(c);
                 escaped.push_str("{}");
             }

@@ -1,5 +1,6 @@
 //! All that is known of one claim, as labelled lines.
 
+use super::super::words::{counted, place, sides};
 use super::tally;
 use super::{BAD, FAINT, STRONG, WIDTH, WRONG, paint, style};
 use crate::judge::{Answer, Extent, Report, Verdict, WitnessReport};
@@ -90,10 +91,7 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
 }
 
 fn extent_words(extent: &Extent) -> String {
-    let points = match extent.points {
-        1 => "1 point".to_owned(),
-        n => format!("{n} points"),
-    };
+    let points = counted(extent.points, "point");
     let aside = match extent.set_aside {
         0 => String::new(),
         n => format!(" and {n} set aside, where neither side has a value"),
@@ -102,18 +100,13 @@ fn extent_words(extent: &Extent) -> String {
 }
 
 fn witness(text: &mut String, witness: &WitnessReport) {
-    let at: Vec<String> = witness
-        .point
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
     line(
         text,
         "witness",
-        &format!("{} ({})", at.join(", "), witness.because.word()),
+        &format!("{} ({})", place(witness), witness.because.word()),
     );
-    for (label, value) in ["left", "right"].into_iter().zip(&witness.values) {
-        line(text, label, value.as_deref().unwrap_or("no value"));
+    for (label, value) in ["left", "right"].into_iter().zip(sides(witness)) {
+        line(text, label, value);
     }
 }
 

@@ -8,6 +8,7 @@ pub(super) mod sample;
 
 use super::style::{FAINT, STRONG, WIDTH, paint};
 use super::tally::{self, Outcome};
+use super::words::counted;
 use crate::corpus::Run;
 use crate::judge::Verdict;
 
@@ -48,10 +49,7 @@ fn summary(run: &Run) -> String {
             parts.push(format!("{count} {}", words(outcome)));
         }
     }
-    let claims = match run.reports.len() {
-        1 => "1 claim".to_owned(),
-        n => format!("{n} claims"),
-    };
+    let claims = counted(run.reports.len(), "claim");
     let counts = if parts.is_empty() {
         String::new()
     } else {
