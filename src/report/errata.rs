@@ -282,8 +282,8 @@ fn witnessed(witness: &WitnessReport, facts: &mut Vec<(&'static str, Content)>) 
     let [left, right] = sides(witness);
     facts.push(("fails at", Content::Code(place(witness))));
     if witness.because == Cause::Remainder {
-        facts.push(("series of the left side", Content::Code(left.to_owned())));
-        facts.push(("series as printed", Content::Code(right.to_owned())));
+        facts.push(("the remainder is", Content::Code(left.to_owned())));
+        facts.push(("the print says", Content::Code(right.to_owned())));
         return;
     }
     facts.push(("left side there", Content::Code(left.to_owned())));

@@ -233,7 +233,7 @@ fn evidence(answer: &Answer) -> Option<String> {
 fn witness(witness: &WitnessReport) -> String {
     let ([left, right], place) = (sides(witness), place(witness));
     match witness.because {
-        Cause::Remainder => format!("fails at {place}: the series is {left}, not {right}"),
+        Cause::Remainder => format!("fails at {place}: the remainder is {left}, not {right}"),
         _ => format!("fails at {place}: left {left}, right {right}"),
     }
 }

@@ -165,7 +165,7 @@ pub(in crate::report) fn errata() -> Vec<Report> {
         wrong(
             "order",
             "1/(k - 1) == 1/k + O((1/k)^3) as k -> inf",
-            witness([Some("1/k + 1/k^2"), Some("1/k")], None, Cause::Remainder),
+            witness([Some("1/k^2"), Some("O(1/k^3)")], None, Cause::Remainder),
         ),
         wrong(
             "one-sided",
