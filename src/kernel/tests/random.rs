@@ -106,6 +106,9 @@ fn means_are_over_one_draw() {
         assert!(at(text, &[], &draws, 64).is_err(), "{text}");
     }
     assert!(at("mean(z)", &[], &[draw("z", "any")], 64).is_err());
+    // A comparison that does not have the variable, of an infinite mean.
+    let found = at("int([mean(1/x) > 3]*s, s = 0..1)", &[], &draws, 64);
+    assert_eq!(found, exact(1, 2));
 }
 
 /// Moments from the closed forms of the laws.

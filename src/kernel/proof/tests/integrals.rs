@@ -432,6 +432,16 @@ fn indicators() {
         ),
         "the premise should be",
     );
+    let range = "{ | 4: 1 < x | 5: x < 2\n6: x - 1 < 2 | order | 2 - x + 1\n";
+    yes(&format!(
+        "{block}{range}9: int([x - 1 < s < 2]*(1/s), s = 0..3) == int(1/s, s = x - 1..2) | indicator 3"
+    ));
+    no(
+        &format!(
+            "{block}{range}9: int([x - 1 < x < 2]*(1/x), x = 0..3) == int(1/x, x = x - 1..2) | indicator 3"
+        ),
+        "the range depends on the variable",
+    );
 }
 
 #[test]
@@ -805,6 +815,19 @@ fn limits_of_means() {
         "limits of means",
     );
     no(&format!("{block}9: x == x | limit 3"), "for limits");
+    let block = on(
+        "t real | 1: 0 <= t | 2: t <= 1",
+        "4: 0 < t + t + x | order\n3: finite 1/(t + t + x) | finite",
+    );
+    yes(&format!("{block}{}", result.replace("x + s", "s + s + x")));
+    yes(&format!(
+        "{block}{}",
+        result.replace("x + s", "t + t + x").replace("s ~", "t ~")
+    ));
+    no(
+        &format!("{block}{{ t real\n{}", result.replace("x + s", "t + s + x")),
+        "in use",
+    );
 }
 
 #[test]

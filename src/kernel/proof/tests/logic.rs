@@ -125,6 +125,9 @@ fn order() {
 
 #[test]
 fn order_is_not_guessed() {
+    let continuous = "given fn g(t) continuous on 0..1";
+    accepts(continuous, "9: finite g(1/2) | finite");
+    rejects(continuous, "9: 0 <= g(1/2) | order", "nonnegative");
     no("9: 0 < y | order", "y is not known to be positive");
     no("9: 0 <= k - 2 | order", "nonnegative");
     no(
@@ -133,6 +136,14 @@ fn order_is_not_guessed() {
     );
     no("9: 0 < x - y | order", "positive");
     no("9: 0 < x*y | order", "positive");
+    no("9: 0 < y*x | order", "positive");
+    no("9: 0 <= y*(x - k) | order", "nonnegative");
+    no("9: 0 <= (x - k)*y | order", "nonnegative");
+    no("9: 0 <= y + (x - k) | order", "nonnegative");
+    no("9: 0 <= x - k + y | order", "nonnegative");
+    no("9: 0 < y + y*y | order", "positive");
+    no("9: 0 != x*y | order", "nonzero");
+    no("9: 0 != y*x | order", "nonzero");
     no("9: 0 <= x - y | order", "nonnegative");
     no("9: y != 0 | order", "nonzero");
     no("9: 0 < (x - y)^2 | order", "positive");
@@ -289,6 +300,9 @@ fn computed_values() {
     no("9: f(1/2) == 1 | compute", "with names");
     no("9: sum(1/j, j = 1..10^9) == 1 | compute", "not found");
     no("9: finite 3! | compute", "concludes a value");
+    let many = |count| (0..count).map(|i| format!("c{i}: 1 == 1 | compute\n"));
+    yes(&many(19).collect::<String>());
+    no(&many(20).collect::<String>(), "too much work");
 }
 
 #[test]
@@ -547,4 +561,16 @@ fn blocks() {
         "{ z real | 5: 0 < z\n}\n{ z real | 6: 0 <= z\n9: 0 < z | order",
         "positive",
     );
+    yes(&"{\n".repeat(32));
+    no(&"{\n".repeat(33), "too deep");
+    let many = |count| (0..count).map(|i| format!("z{i} real")).collect::<Vec<_>>();
+    yes(&format!("{{ {}", many(31).join(", ")));
+    no(&format!("{{ {}", many(32).join(", ")), "too much in it");
+    let many = |count| {
+        (0..count)
+            .map(|i| format!(" | h{i}: x < {i}"))
+            .collect::<String>()
+    };
+    yes(&format!("{{{}", many(31)));
+    no(&format!("{{{}", many(32)), "too much in it");
 }
