@@ -89,6 +89,11 @@ fn expansions_wait() {
     assert!(check(hidden, &[("k", "2")], 0).is_err());
     let text = "given int k\ndomain k >= 1\nsays 1/k ~ 2/k as k -> inf";
     assert!(check(text, &[("k", "2")], 0).is_err());
+    // A relation is one at every point, wherever the limit is, but not along other formulas.
+    let text = "given int k\nsays k == 1 as k -> inf";
+    assert_eq!(check(text, &[("k", "2")], 0), Ok(Because::Disjoint));
+    let text = "given int k\nsays k == 1 along k = 1";
+    assert!(check(text, &[("k", "2")], 0).is_err());
 }
 
 #[test]

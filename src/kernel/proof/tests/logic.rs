@@ -276,6 +276,13 @@ fn what_has_no_value() {
     no("9: undefined int(1/0, t = 0..1) | none", "without value");
     no("9: undefined 1/(y/y - 1) | none", "without value");
     no("9: undefined gamma(-1) | none", "without value");
+    for equation in ["1/y + x == 1/y", "x == 2*x*y/y", "2*x*y/y == x"] {
+        let block = format!("{{ | 5: {equation}\n");
+        no(
+            &format!("{block}9: undefined ln(x) | none"),
+            "without value",
+        );
+    }
     no("9: 1/(x - x) == 1 | none", "without value");
     no("9: 1 == 1/(x - x) | none", "without value");
     no(
