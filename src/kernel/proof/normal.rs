@@ -192,7 +192,7 @@ impl Fraction {
         let (a, b) = (self.over(&below, fuel)?, other.over(&below, fuel)?);
         let bits = a.bits() + b.bits();
         require(bits <= BITS_CAP, "a coefficient that is too large")?;
-        fuel.spend((a.0.len() + b.0.len()) as u64)?;
+        fuel.spend(a.0.len().max(b.0.len()) as u64)?;
         Ok(Fraction {
             above: a.plus(&b),
             below,

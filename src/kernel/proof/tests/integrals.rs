@@ -286,7 +286,7 @@ fn continuous_integrands() {
             "{proof}9: finite int({e}, t = 0..1) | continuous 3"
         ));
     }
-    for e in ["[t < 1]", "gamma(t + x)", "x^t"] {
+    for e in ["[t < 1]", "t*[t < 1]", "[t < 1]*t", "gamma(t + x)", "x^t"] {
         let proof = block(&format!(
             "5: 0 < t + x | order | x + t\n3: finite {e} | finite"
         ));
@@ -763,6 +763,9 @@ fn limits_of_means() {
     );
     let result = "9: lim(mean(1/(x + s), s ~ beta(p, q - p + 1)), p -> 1, q -> 1) == mean(1/(x + s), s ~ beta(1, 1 - 1 + 1)) | limit 3";
     yes(&format!("{block}{result}"));
+    let negated = result.replace("q - p", "-(p - q)");
+    let negated = negated.replace("1 - 1", "-(1 - 1)");
+    yes(&format!("{block}{negated}"));
     no(
         &format!("{block}{}", result.replacen("1/(x", "p/(x", 1)),
         "what moves",

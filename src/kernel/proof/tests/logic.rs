@@ -210,6 +210,7 @@ fn rational_arithmetic() {
     yes("9: (k + k)! == (2*k)! | ring");
     yes("9: 1/x + 1/x*(1/x) == (x + 1)/x^2 | ring");
     yes("9: 2^100 + 2^101 == 3*2^100 | ring");
+    yes("9: (x - x)^0 == 1 | ring");
     no("9: (x + y)^2 == x^2 + y^2 | ring", "not equal");
     no("9: x == y | ring", "not equal");
     no("9: y/y == 1 | ring", "finite");
@@ -317,7 +318,8 @@ fn cases() {
     let cases = "{ | 5: k == 1\n6: 0 < x | order\n}\n{ | 7: k != 1\n8: 0 < x | order\n}\n
         { | 10: k < 1\n11: 0 < x | order\n}\n{ z real | 12: k != 1\n13: 0 < x | order\n}\n
         { | 14: 1/y == 0\n15: 0 < x | order\n}\n{ | 16: 1/y != 0\n17: 0 < x | order\n}\n
-        { | 20: 1 <= k\n21: 0 < x | order\n}\n";
+        { | 20: 1 <= k\n21: 0 < x | order\n}\n
+        { | 30: k == 1\n31: 0 <= x | order\n}\n{ | 32: k != 1\n33: 0 <= x | order\n}\n";
     yes(&format!("{cases}9: 0 < x | cases 6 8"));
     yes(&format!("{cases}9: 0 < x | cases 8 6"));
     yes(&format!("{cases}9: 0 < x | cases 11 21"));
@@ -331,6 +333,8 @@ fn cases() {
         "1/y is not known to be finite",
     );
     no(&format!("{cases}9: 0 <= x | cases 6 8"), "end alike");
+    no(&format!("{cases}9: 0 < x | cases 6 33"), "end alike");
+    no(&format!("{cases}9: 0 < x | cases 31 8"), "end alike");
     no(&format!("{cases}9: 0 < x | cases 6"), "missing");
     no(&format!("{cases}9: 0 < x | cases 3 8"), "supposes one fact");
 }
@@ -410,7 +414,13 @@ fn equals_for_equals() {
     ));
     for (stated, premises) in [
         ("x + y == f(y) - y", "5"),
+        ("x + y == f(y) + k", "5"),
+        ("y + x == k + f(y)", "5"),
         ("x == f(k)", "5 6"),
+        ("x == k", "5"),
+        ("k == x", "5"),
+        ("f(y) == k", "5"),
+        ("k == f(y)", "5"),
         ("beta(x, 1) == gamma(f(y))", "5"),
         ("h(x) == f(f(y))", "5"),
         ("gamma(x) == ln(f(y))", "5"),
@@ -420,6 +430,8 @@ fn equals_for_equals() {
         ("[x < y and x < 1] == [f(y) < y and x < 1]", "5"),
         ("[x < y] == [f(y) < y < 1]", "5"),
         ("int(t, t = 0..x) == sum(t, t = 0..f(y))", "5"),
+        ("int(t, t = 0..x) == int(t, t = 0..k)", "5"),
+        ("int(t, t = x..1) == int(t, t = k..1)", "5"),
         ("int(y*t, y = 0..1) == int(f(k)*t, y = 0..1)", "6"),
         (
             "mean(t, t ~ beta(x, 1)) == mean(t, t ~ uniform(f(y), 1))",
@@ -502,6 +514,17 @@ fn equals_under_binders() {
         &format!("{supposes}9: int(t*x, t = 0..1) == int(2*t, t = 0..1) | congruence 8"),
         "differ",
     );
+    for more in ["0 < y", "y < s", "s < y", "y < 1"] {
+        let supposes = open.replace("| 6:", &format!("| 8: {more} | 6:"));
+        no(&format!("{supposes}{}", stated("0", "1")), "differ");
+    }
+    let other = "{ s real\n";
+    for (a, b) in [(a, "t*x + s"), ("s*(x + 1)", b)] {
+        no(
+            &format!("{open}{other}9: int({a}, t = 0..1) == int({b}, t = 0..1) | congruence 7"),
+            "in use",
+        );
+    }
     let two = "{ s real, r real\n8: s*1 == s | ring\n}\n";
     no(
         &format!("{two}9: int(t*1, t = 0..1) == int(t, t = 0..1) | congruence 8"),
@@ -534,6 +557,19 @@ fn a_range_that_a_binder_hides() {
             "differ",
         );
     }
+}
+
+/// An end that is not known to be finite.
+#[test]
+fn an_endless_range() {
+    let stated = |end: &str| {
+        format!(
+            "{{ s real | 5: 0 <= s | 6: s <= {end}\n7: s + s == 2*s | ring\n}}
+            9: int(t + t, t = 0..{end}) == int(2*t, t = 0..{end}) | congruence 7"
+        )
+    };
+    yes(&stated("y^2"));
+    no(&stated("int(1/t, t = 0..1)^2"), "differ");
 }
 
 /// From y to 0 there is nothing that a premise for y <= s <= 0 covers, but an integral.
