@@ -101,14 +101,6 @@ impl Polynomial {
         product.0.retain(|_, c| !c.is_zero());
         Ok(product)
     }
-
-    fn power(&self, exponent: u32, fuel: &Fuel) -> Result<Polynomial, Rejected> {
-        let mut result = Polynomial::constant(Rational::one());
-        for _ in 0..exponent {
-            result = result.times(self, fuel)?;
-        }
-        Ok(result)
-    }
 }
 
 /// Adds exponents.
@@ -170,8 +162,8 @@ impl Fraction {
         let mut above = self.above.clone();
         for (factor, exponent) in below {
             let own = self.below.get(factor).copied().unwrap_or(0);
-            if *exponent > own {
-                above = above.times(&factor.power(exponent - own, fuel)?, fuel)?;
+            for _ in own..*exponent {
+                above = above.times(factor, fuel)?;
             }
         }
         Ok(above)
