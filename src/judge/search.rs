@@ -84,7 +84,7 @@ pub struct Search<'a> {
 const KERNEL_TRIES: usize = 6;
 const ROUNDS: usize = 3;
 /// So many points may cost more where none is cheap.
-const COSTLY_POINTS: usize = 8;
+const COSTLY_POINTS: usize = 3;
 
 impl Search<'_> {
     /// Tries the relation at every point, and asks the kernel about those where it fails.
@@ -130,7 +130,7 @@ impl Search<'_> {
         let patient = if tally.held == 0 { COSTLY_POINTS } else { 0 };
         for (index, point) in costly.into_iter().enumerate() {
             if index < patient {
-                let steps = rest / (4 * COSTLY_POINTS as u64);
+                let steps = rest / (8 * COSTLY_POINTS as u64);
                 tally.add(point, self.at(point, (left, relation, right), steps));
             } else {
                 tally.too_costly.push(point);

@@ -79,7 +79,16 @@ impl<'a> Trial<'a> {
         let points = points(proposition, budget, settings);
         let mut number = 0;
         let mut findings = Vec::new();
-        for part in &parts {
+        let written = self::parts(&proposition.statement);
+        for (part, written) in parts.iter().zip(&written) {
+            if written.says_nothing() {
+                findings.push(Finding::because(
+                    Verdict::Vacuous,
+                    "both sides are the same formula once definitions are unfolded",
+                ));
+                number += part.count();
+                continue;
+            }
             let finding = judge_part(part, proposition, &points, number, budget, settings);
             number += part.count();
             let refuted = finding.verdict == Verdict::Refuted;
@@ -218,6 +227,19 @@ impl Part<'_> {
         matches!(self, Part::Expansion { .. })
     }
 
+    /// Whether it equates a formula with itself.
+    fn says_nothing(&self) -> bool {
+        let Part::Relation {
+            left,
+            relation,
+            right,
+        } = self
+        else {
+            return false;
+        };
+        left == right && *relation == Relation::Equal
+    }
+
     /// How many of the kernel's numbers the part takes up.
     fn count(&self) -> usize {
         match self {
@@ -242,12 +264,6 @@ fn judge_part(
             relation,
             right,
         } => {
-            if left == right && *relation == Relation::Equal {
-                return Finding::because(
-                    Verdict::Vacuous,
-                    "both sides are the same formula once definitions are unfolded",
-                );
-            }
             let search = Search {
                 proposition,
                 points,

@@ -119,6 +119,8 @@ mod tests {
             at(int(1), int(1), int(-2), ratio(1, 2), 64),
             Err(Gap::Undefined)
         );
+        let at_one = at(int(1), int(1), int(3), int(1), 64);
+        assert!(matches!(at_one, Err(Gap::Unknown(_))));
         // 1 - 2*3*5/4 + ... = (-2)_j (3)_j/(4)_j 5^j/j!
         let sum = int(1) - ratio(30, 4) + ratio(2 * 12 * 25, 20 * 2);
         assert_eq!(
@@ -141,19 +143,26 @@ mod tests {
         }
     }
 
-    /// Terms that are small before they grow. All are positive, so that each is less than the sum.
+    /// Terms that are small before they grow. From some term on all are of one sign, so that the
+    /// sum is beyond each of them; b is so small that b + i is about i.
     #[test]
     fn a_tail_is_not_cut_before_it_falls() {
-        let small = Rational::new(1.into(), BigInt::one() << 110_u32);
-        let term = |j: i64| {
-            let factor = |i: i64| ratio(200 + i, 10 + i) * ratio(1, 2) * ratio(i.max(1), i + 1);
+        let term = |small: &Rational, a: i64, c: &Rational, z: &Rational, j: i64| {
+            let factor = |i: i64| int(a + i) / (c + int(i)) * z * ratio(i.max(1), i + 1);
             (0..j).fold(small.clone(), |term, i| term * factor(i))
         };
-        assert!(term(150) > int(1 << 20));
-        for [a, b] in [[int(200), small.clone()], [small.clone(), int(200)]] {
-            let found = at(a, b, int(10), ratio(1, 2), 64).unwrap();
-            assert!(*found.high() > term(150));
+        let small = |bits: u32| Rational::new(1.into(), BigInt::one() << bits);
+        let (b, c, z) = (small(180), int(10), ratio(1, 2));
+        let known = term(&b, 300, &c, &z, 200);
+        assert!(known > int(1 << 20));
+        for [a, b] in [[int(300), b.clone()], [b, int(300)]] {
+            let found = at(a, b, c.clone(), z.clone(), 64).unwrap();
+            assert!(*found.high() > known);
         }
+        let (b, c, z) = (small(110), ratio(-201, 2), ratio(1, 3));
+        let known = term(&b, 100, &c, &z, 200);
+        assert!(known < int(-1 << 20));
+        assert!(*at(int(100), b, c, z, 64).unwrap().low() < known);
     }
 
     /// 2F1(1,1;2;z) = -ln(1-z)/z, DLMF 15.4.1, with and without Pfaff's transformation.

@@ -97,10 +97,7 @@ fn cuts(part: Part, name: &Name, scope: &Scope) -> Result<Vec<Interval>, Unknown
     let mut answer = Ok(());
     part.each(&mut |inner, bound| {
         if answer.is_ok() {
-            let more = match bound {
-                [] => cuts(inner, name, scope),
-                _ => cuts(inner, name, &scope.without(bound)),
-            };
+            let more = cuts(inner, name, &scope.without(bound));
             answer = more.map(|more| found.extend(more));
         }
     });

@@ -204,12 +204,12 @@ fn sign_between(
     if moved.iter().all(|c| !c.low().is_positive()) {
         return Ok(Some(Ordering::Less));
     }
-    if halvings == 0 {
+    let Some(halvings) = halvings.checked_sub(1) else {
         return unknown("the sign of an integrand is not settled");
-    }
+    };
     let middle = (a + b) / Rational::from_integer(2.into());
-    let left = sign_between(p, a, &middle, halvings - 1)?;
-    let right = sign_between(p, &middle, b, halvings - 1)?;
+    let left = sign_between(p, a, &middle, halvings)?;
+    let right = sign_between(p, &middle, b, halvings)?;
     Ok(left.filter(|_| left == right))
 }
 

@@ -93,7 +93,10 @@ impl Interval {
     /// All numbers at most 2^-bits away.
     pub fn around(&self, bits: u64) -> Interval {
         let near = Rational::new(1.into(), BigInt::one() << bits);
-        self + &Interval::between(-&near, near)
+        Interval {
+            low: &self.low - &near,
+            high: &self.high + near,
+        }
     }
 
     /// 1/x, which decreases on either side of zero.

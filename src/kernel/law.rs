@@ -84,8 +84,6 @@ fn order(l: &Interval, m: &Interval, of: Weight, scope: &Scope) -> Found<Weight>
     let (Some(l), Some(m)) = (small(l), small(m)) else {
         return unknown("an order statistic whose numbers are not small integers");
     };
-    let length = of.density.length() as u64 + 1;
-    scope.spend(u64::from(m).pow(2) * length * length)?;
     // The cdf of one draw, and 1 less that.
     let whole = of.density.antiderivative();
     let below = &whole + &Polynomial::constant(-&whole.at(&of.from));
@@ -98,6 +96,7 @@ fn order(l: &Interval, m: &Interval, of: Weight, scope: &Scope) -> Found<Weight>
         .times(&above.power(m - l)?)?
         .times(&of.density)?
         .scaled(&Interval::exact(scale));
+    scope.spend((density.length() as u64).pow(2))?;
     Ok(Weight { density, ..of })
 }
 

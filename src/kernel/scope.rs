@@ -101,11 +101,6 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Takes the step of one node: beside it every bound name is looked at or copied.
-    pub fn step(&self) -> Result<(), Unknown> {
-        self.spend(1 + self.bound.len() as u64 / 4)
-    }
-
     /// Takes the steps of an operation on two functions.
     pub fn spend_on(&self, a: &Fraction, b: &Fraction) -> Result<(), Unknown> {
         self.spend((a.numerator.length() * b.numerator.length()) as u64)

@@ -16,7 +16,6 @@ use super::{Found, Unknown, calculus, hypergeometric, integrand, law, unknown};
 use crate::formula::{Draw, Formula, Function, Name, Operator, Point, RangeKind, Ranged, Rational};
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive};
-use std::cell::Cell;
 use std::cmp::Ordering;
 
 /// No value is asked for with more bits.
@@ -45,19 +44,9 @@ pub fn value(
     ))
 }
 
-/// The value of a formula without names, with work from another's store.
-pub(super) fn value_within(
-    formula: &Formula,
-    bits: u64,
-    fuel: &Cell<u64>,
-) -> Result<Value, Unknown> {
-    let nothing = Point::default();
-    as_value(evaluate(formula, &Scope::new(&nothing, &[], bits, fuel)))
-}
-
 /// What a formula comes to in a scope.
 pub(super) fn evaluate(f: &Formula, scope: &Scope) -> Found<Quantity> {
-    scope.step()?;
+    scope.spend(1)?;
     let result = match f {
         Formula::Number(q) => Interval::exact(q.clone()).into(),
         Formula::Name(name) => scope.look_up(name)?,
@@ -94,9 +83,7 @@ fn other(f: &Formula, scope: &Scope) -> Found<Quantity> {
         Formula::Probability(c, own) => law::probability(c, own.as_deref(), scope)?,
         Formula::Density(drawn, place) => law::density_at(drawn, place, scope)?,
         Formula::Cumulative(drawn, place) => law::cumulative_at(drawn, place, scope)?,
-        Formula::Antiderivative(..) => return unknown("an antiderivative has no one value"),
-        Formula::BigO(_) | Formula::LittleO(_) => return unknown("an O-term has no value"),
-        _ => return unknown("a condition in the place of a number"),
+        _ => return unknown("an antiderivative, an O-term or a condition has no one value"),
     })
 }
 
@@ -164,12 +151,12 @@ fn power(a: &Formula, b: &Formula, scope: &Scope) -> Found<Quantity> {
     if n < 0 {
         base = base.reciprocal()?;
     }
-    let steps = u64::from(n.unsigned_abs()) * base.numerator.length() as u64;
-    scope.spend(steps.saturating_mul(steps))?;
-    Ok(base.power(n.unsigned_abs())?.into())
+    let power = base.power(n.unsigned_abs())?;
+    scope.spend_on(&power, &power)?;
+    Ok(power.into())
 }
 
-/// (q^r)^n as q^(r*n), for q > 0: ends of ranges are often roots, and their powers are exact.
+/// (q^r)^s as q^(r*s), for q > 0: ends of ranges are often roots, and their powers are exact.
 fn power_of_root(
     base: &Formula,
     exponent: &Interval,
@@ -184,10 +171,8 @@ fn power_of_root(
         _ => return Ok(None),
     };
     let radicand = number(radicand, scope)?;
-    if exponent.as_integer().is_none() || !radicand.is_positive() {
-        return Ok(None);
-    }
-    Ok(Some((radicand, exponent * &Interval::exact(root))))
+    let product = exponent * &Interval::exact(root);
+    Ok(radicand.is_positive().then_some((radicand, product)))
 }
 
 /// A function that the point gives, which knows its argument only.
@@ -221,7 +206,7 @@ fn call(function: Function, parts: &[Formula], scope: &Scope) -> Found<Quantity>
     if let (Function::Abs, [part]) = (function, parts) {
         return absolute(evaluate(part, scope)?, scope);
     }
-    scope.spend(scope.bits / 8)?;
+    scope.spend(scope.bits)?;
     let numbers: Found<Vec<Interval>> = parts.iter().map(|part| number(part, scope)).collect();
     Ok(of_numbers(function, &numbers?, scope)?.into())
 }

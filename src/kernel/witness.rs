@@ -110,8 +110,7 @@ pub fn check_example(
     point: &Point,
     links: &[usize],
 ) -> Result<(), Unknown> {
-    let statement = proposition.statement.pointwise();
-    let items = items(&statement);
+    let items = items(&proposition.statement);
     at_the_point(proposition, point, |scope| {
         links
             .iter()

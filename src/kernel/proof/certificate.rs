@@ -31,11 +31,11 @@ use crate::kernel::{Refutation, Unknown, Witness, check_witness};
 use num_traits::{One, Signed};
 use std::collections::HashMap;
 use std::fmt::{Display, Formatter, Result as Printed};
+use std::iter::Zip;
+use std::ops::RangeFrom;
 
 /// No longer certificate is read.
 const TEXT_CAP: usize = 4 << 20;
-/// No text holds more certificates: each may take a full store of work.
-const CERTIFICATES_CAP: usize = 16;
 
 /// One line of a proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -191,20 +191,14 @@ impl Proof<'_> {
     }
 }
 
-/// The lines of a text, one after the other.
+/// The lines of a text, one after the other, with their numbers from 1.
 struct Lines<'t> {
-    rest: std::iter::Enumerate<std::str::Lines<'t>>,
-    /// The number of the last line taken, from 1.
+    rest: Zip<RangeFrom<usize>, std::str::Lines<'t>>,
+    /// The number of the last line taken.
     at: usize,
 }
 
 impl<'t> Lines<'t> {
-    fn next(&mut self) -> Option<&'t str> {
-        let (at, line) = self.rest.next()?;
-        self.at = at + 1;
-        Some(line.trim())
-    }
-
     fn flaw<T>(&self, message: impl Display) -> Result<T, Flaw> {
         Err(Flaw {
             line: self.at,
@@ -214,27 +208,28 @@ impl<'t> Lines<'t> {
 
     /// The next line, which begins with the word; what follows it.
     fn expect(&mut self, word: &str) -> Result<&'t str, Flaw> {
-        match self.next().and_then(|line| line.strip_prefix(word)) {
-            Some(rest) => Ok(rest.trim()),
-            None => self.flaw(format!("`{word}` is expected here")),
+        if let Some((at, line)) = self.rest.next() {
+            self.at = at;
+            if let Some(rest) = line.trim().strip_prefix(word) {
+                return Ok(rest.trim());
+            }
         }
+        self.flaw(format!("`{word}` is expected here"))
     }
 }
 
 fn read(text: &str) -> Result<Vec<Read>, Flaw> {
     let mut lines = Lines {
-        rest: text.lines().enumerate(),
+        rest: (1..).zip(text.lines()),
         at: 0,
     };
     if text.len() > TEXT_CAP {
         return lines.flaw("the certificate is too long");
     }
     let mut all = Vec::new();
-    while let Some(line) = lines.next() {
-        if all.len() == CERTIFICATES_CAP && !line.is_empty() {
-            return lines.flaw("too many certificates in one text");
-        }
-        match line {
+    while let Some((at, line)) = lines.rest.next() {
+        lines.at = at;
+        match line.trim() {
             "" => {}
             "theorem" => all.push(theorem(&mut lines)?),
             "refutation" => all.push(refutation(&mut lines)?),
@@ -263,9 +258,11 @@ fn theorem(lines: &mut Lines) -> Result<Read, Flaw> {
     let mut labels = Labels::default();
     let mut places = Vec::new();
     loop {
-        let Some(line) = lines.next() else {
+        let Some((at, line)) = lines.rest.next() else {
             return lines.flaw("the proof has no `qed`");
         };
+        lines.at = at;
+        let line = line.trim();
         if let Some(ends) = line.strip_prefix("qed") {
             for (link, label) in ends.split_whitespace().enumerate() {
                 if label != "-" {
@@ -314,7 +311,9 @@ fn refutation(lines: &mut Lines) -> Result<Read, Flaw> {
 /// The canonical text of a proposition ends with its `says` line.
 fn proposition(lines: &mut Lines) -> Result<Proposition, Flaw> {
     let mut text = String::new();
-    while let Some(line) = lines.next() {
+    while let Some((at, line)) = lines.rest.next() {
+        lines.at = at;
+        let line = line.trim();
         text.push_str(line);
         if line.starts_with("says ") {
             return parse_proposition(&text).or_else(|error| lines.flaw(error));

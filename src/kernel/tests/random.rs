@@ -97,6 +97,11 @@ fn means_are_over_one_draw() {
         exact(0, 1)
     );
     assert_eq!(at("mean(x)*mean(y)", &[], &draws, 64), exact(1, 3));
+    assert_eq!(
+        at("mean(x + mean(y)) + mean(2)", &[], &draws, 64),
+        exact(19, 6)
+    );
+    assert!(at("x", &[("x", 1, 1)], &draws, 64).is_err());
     for text in [
         "mean(1/(x + y))",
         "int(mean(x), x = 0..1)",
@@ -106,6 +111,9 @@ fn means_are_over_one_draw() {
         assert!(at(text, &[], &draws, 64).is_err(), "{text}");
     }
     assert!(at("mean(z)", &[], &[draw("z", "any")], 64).is_err());
+    // A comparison that does not have the variable, of an infinite mean.
+    let found = at("int([mean(1/x) > 3]*s, s = 0..1)", &[], &draws, 64);
+    assert_eq!(found, exact(1, 2));
 }
 
 /// Moments from the closed forms of the laws.
@@ -149,6 +157,7 @@ fn laws_are_checked() {
         "order(0, 3) of uniform(0, 1)",
         "order(4, 3) of uniform(0, 1)",
         "order(3/2, 3) of uniform(0, 1)",
+        "order(1, 5/2) of uniform(0, 1)",
     ] {
         assert_eq!(
             closed(&format!("mean(x, x ~ {law})")),
@@ -189,6 +198,7 @@ fn densities_and_distributions_of_draws() {
     assert!(at("cdf(x/0, 1)", &[], &draws, 64).is_err());
     for text in [
         "density(2*x, 1)",
+        "sum(density(x, 1/2), x = 1..2)",
         "density(z, 1)",
         "cdf(x, y)",
         "density(x, 1/0 + y)",

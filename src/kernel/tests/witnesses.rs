@@ -85,10 +85,27 @@ fn infinities_are_equal_and_far_from_numbers() {
 fn expansions_wait() {
     let text = "given int k\ndomain k >= 1\nsays 1/k == 1/k^2 + O(1/k^3) as k -> inf";
     assert!(check(text, &[("k", "2")], 0).is_err());
-    let hidden = "given int k\ndomain k >= 1\nsays 1/k == 1/(k - k) + O(1/k) as k -> inf";
-    assert!(check(hidden, &[("k", "2")], 0).is_err());
+    for hidden in ["1/k == 1/(k - k) + O(1/k)", "1/(k - k) + O(1/k) == 1/k"] {
+        let text = format!("given int k\ndomain k >= 1\nsays {hidden} as k -> inf");
+        assert!(check(&text, &[("k", "2")], 0).is_err());
+    }
     let text = "given int k\ndomain k >= 1\nsays 1/k ~ 2/k as k -> inf";
     assert!(check(text, &[("k", "2")], 0).is_err());
+    // A relation is one at every point, wherever the limit is, but not along other formulas.
+    let text = "given int k\nsays k == 1 as k -> inf";
+    assert_eq!(check(text, &[("k", "2")], 0), Ok(Because::Disjoint));
+    let text = "given int k\nsays k == 1 along k = 1";
+    assert!(check(text, &[("k", "2")], 0).is_err());
+    for says in [
+        "k ~ k as k -> inf",
+        "k == k along k = 1",
+        "k == k as k -> inf",
+    ] {
+        let text = format!("given int k\nsays {says}");
+        let proposition = parse_proposition(&text).expect(says);
+        let found = check_example(&proposition, &point(&[("k", "2")]), &[0]);
+        assert_eq!(found.is_ok(), says == "k == k as k -> inf", "{says}");
+    }
 }
 
 #[test]
@@ -120,6 +137,7 @@ fn examples_have_two_values_that_agree() {
 fn definitions_have_duties() {
     let duty = |text: &str, link| check(&format!("says {text}"), &[], link);
     assert!(duty("f(r) is 2*r with density on 0..1", 0).is_err());
+    assert!(duty("f(r) is 2*r^2/r with density on 0..1", 0).is_err());
     assert_eq!(
         duty("f(r) is 3*r with density on 0..1", 0),
         Ok(Because::Duty)

@@ -4,13 +4,14 @@ use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
-use crate::formula::{Formula, Operator, free_functions, free_names};
-use crate::kernel::Value;
-use crate::kernel::value::value_within;
+use crate::formula::{Formula, Operator, Point, free_functions, free_names};
+use crate::kernel::{Value, value};
 use num_traits::One;
 
 /// The bits for values of closed formulas; an exact value needs none of them.
-const BITS: u64 = 64;
+const BITS: u32 = 64;
+/// What one of them takes from a proof's store of work: a proof computes a few, and small ones.
+const COMPUTE_FUEL: u64 = 1_000_000;
 
 impl Check<'_, '_> {
     pub(super) fn given(&self) -> Checked {
@@ -137,7 +138,8 @@ impl Check<'_, '_> {
         };
         let closed = free_names(e).is_empty() && free_functions(e).is_empty();
         require(closed, "a formula with names has no one value")?;
-        let found = match value_within(e, BITS, &self.proof.fuel.0) {
+        self.proof.spend(COMPUTE_FUEL)?;
+        let found = match value(e, &Point::default(), &[], BITS) {
             Ok(found) => found,
             Err(_) => return reject("the value is not found"),
         };

@@ -90,6 +90,39 @@ fn a_theorem_says_what_it_shows() {
     }
 }
 
+/// Faults of the notation and of the proof are told with their line, from 1; those of the end with
+/// the last.
+#[test]
+fn faults_have_a_line() {
+    let line = |text: &str| replay(text).expect_err("a flaw").line;
+    assert_eq!(line(""), 0);
+    assert_eq!(line("\n\nproof"), 3);
+    for (old, new, at) in [
+        ("k*gamma(k - 1)/gamma(k) == k/(k - 1) and", "(", 4),
+        ("example k = 5/1", "example k = k", 5),
+        ("example", "Example", 5),
+        ("proof", "proof of it", 6),
+        ("| order | k - 2 + 1", "| orders", 8),
+        ("k - 2 + 2", "k - 2 + 3", 9),
+        ("c: gamma(k)", "c: gamma(k + 1)", 17),
+        ("qed d - e", "qed e - d", 20),
+        ("qed d - e\n", "", 19),
+    ] {
+        assert_eq!(line(&SHIFT.replacen(old, new, 1)), at, "{new}");
+    }
+    let second = REFUTATION.replace("x = -1/2", "x = 1");
+    assert_eq!(line(&format!("{SHIFT}{second}")), 28);
+    assert_eq!(line(&REFUTATION.replace("link 2", "link 0")), 8);
+    assert_eq!(line(REFUTATION.trim_end_matches("link 2\n")), 7);
+}
+
+#[test]
+fn texts_have_a_longest_length() {
+    let refused = |length| replay(&" ".repeat(length)).expect_err("a flaw").message;
+    assert_eq!(refused(4 << 20), "there is no certificate in the text");
+    assert_eq!(refused((4 << 20) + 1), "the certificate is too long");
+}
+
 /// A name that is a word of facts is a name all the same.
 #[test]
 fn names_like_words_of_facts() {

@@ -286,7 +286,7 @@ fn continuous_integrands() {
             "{proof}9: finite int({e}, t = 0..1) | continuous 3"
         ));
     }
-    for e in ["[t < 1]", "gamma(t + x)", "x^t"] {
+    for e in ["[t < 1]", "t*[t < 1]", "[t < 1]*t", "gamma(t + x)", "x^t"] {
         let proof = block(&format!(
             "5: 0 < t + x | order | x + t\n3: finite {e} | finite"
         ));
@@ -431,6 +431,16 @@ fn indicators() {
             result.replace("(1/s)", "s").replace("int(1/s", "int(s")
         ),
         "the premise should be",
+    );
+    let range = "{ | 4: 1 < x | 5: x < 2\n6: x - 1 < 2 | order | 2 - x + 1\n";
+    yes(&format!(
+        "{block}{range}9: int([x - 1 < s < 2]*(1/s), s = 0..3) == int(1/s, s = x - 1..2) | indicator 3"
+    ));
+    no(
+        &format!(
+            "{block}{range}9: int([x - 1 < x < 2]*(1/x), x = 0..3) == int(1/x, x = x - 1..2) | indicator 3"
+        ),
+        "the range depends on the variable",
     );
 }
 
@@ -753,6 +763,9 @@ fn limits_of_means() {
     );
     let result = "9: lim(mean(1/(x + s), s ~ beta(p, q - p + 1)), p -> 1, q -> 1) == mean(1/(x + s), s ~ beta(1, 1 - 1 + 1)) | limit 3";
     yes(&format!("{block}{result}"));
+    let negated = result.replace("q - p", "-(p - q)");
+    let negated = negated.replace("1 - 1", "-(1 - 1)");
+    yes(&format!("{block}{negated}"));
     no(
         &format!("{block}{}", result.replacen("1/(x", "p/(x", 1)),
         "what moves",
@@ -805,6 +818,19 @@ fn limits_of_means() {
         "limits of means",
     );
     no(&format!("{block}9: x == x | limit 3"), "for limits");
+    let block = on(
+        "t real | 1: 0 <= t | 2: t <= 1",
+        "4: 0 < t + t + x | order\n3: finite 1/(t + t + x) | finite",
+    );
+    yes(&format!("{block}{}", result.replace("x + s", "s + s + x")));
+    yes(&format!(
+        "{block}{}",
+        result.replace("x + s", "t + t + x").replace("s ~", "t ~")
+    ));
+    no(
+        &format!("{block}{{ t real\n{}", result.replace("x + s", "t + s + x")),
+        "in use",
+    );
 }
 
 #[test]

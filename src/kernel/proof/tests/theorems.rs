@@ -1,6 +1,7 @@
 //! Whole proofs, of the kinds that the book has.
 
-use super::super::replay;
+use super::super::{Fact, Proof, Rule, replay};
+use crate::formula::{Point, Rational, parse_proposition};
 
 fn proves(text: &str) {
     if let Err(flaw) = replay(text) {
@@ -91,5 +92,63 @@ fn a_mean_over_a_beta_law() {
         24: 1/beta(k, n - k + 1)*int(y^(k - 1 - 1)*(1 - y)^(n - k + 1 - 1), y = 0..1) == n/(k - 1) | ring 16 20 21 22 23
         25: mean(1/x) == n/(k - 1) | chain 6 7 12 13 24
         qed 25",
+    );
+}
+
+/// The same, step by step: what the facts are, what they rest on, and where a proof ends.
+#[test]
+fn a_proof_step_by_step() {
+    let proposition =
+        parse_proposition("given real x\ndomain x >= 0\nsays 0 < x + 1 and 0 < x + 2")
+            .expect("a proposition");
+    let fact = |text| Fact::parse(text).expect(text);
+    let mut proof = Proof::new(&proposition);
+    let mut step = |text, rule, premises: &[usize]| {
+        let made = proof.step(fact(text), rule, premises, &[]);
+        (made, proof.seen())
+    };
+    assert_eq!(step("0 <= 1", Rule::Order, &[]), (Ok(0), vec![]));
+    assert_eq!(step("0 <= x", Rule::Given, &[]), (Ok(1), vec![]));
+    assert_eq!(step("0 < x + 1", Rule::Order, &[]), (Ok(2), vec![1]));
+    assert_eq!(step("0 < x + 2", Rule::Order, &[]), (Ok(3), vec![1]));
+    assert!(step("x == x", Rule::Chain, &[4]).0.is_err());
+    assert_eq!(proof.fact(2), Some(&fact("0 < x + 1")));
+    assert_eq!(proof.fact(4), None);
+    let mut point = Point::default();
+    point.numbers.insert("x".into(), Rational::default());
+    let ends = |links: &[(usize, usize)]| {
+        let theorem = proof.theorem(links, &point);
+        theorem
+            .map(|theorem| theorem.is_whole())
+            .map_err(|why| why.0)
+    };
+    assert_eq!(ends(&[(0, 2), (1, 3)]), Ok(true));
+    assert_eq!(ends(&[(1, 3)]), Ok(false));
+    for (links, why) in [
+        (&[][..], "no link is proved"),
+        (&[(0, 2), (0, 2)], "links are listed in order"),
+        (&[(1, 3), (0, 2)], "links are listed in order"),
+        (&[(0, 3)], "the step does not state the link"),
+        (
+            &[(0, 4)],
+            "a link is proved by a step outside of all blocks",
+        ),
+        (&[(2, 2)], "the statement has no such link"),
+    ] {
+        assert_eq!(ends(links), Err(why.to_string()));
+    }
+}
+
+/// A direction of limits says nothing of a link that holds at every point.
+#[test]
+fn a_link_with_a_regime() {
+    proves(
+        "theorem
+        given real k
+        says k < k + 1 as k -> inf
+        example k = 1
+        proof
+        1: k < k + 1 | order
+        qed 1",
     );
 }
