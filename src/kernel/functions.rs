@@ -5,7 +5,7 @@ use super::{Found, Gap, Unknown, unknown};
 use crate::formula::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Pow, Signed, ToPrimitive};
+use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 
 /// No number of more bits than this is made on purpose.
@@ -65,7 +65,9 @@ pub(super) fn ln(q: &Rational, bits: u64) -> Result<Interval, Unknown> {
     let one = Rational::one();
     let ratio = |y: &Rational| (y - &one) / (y + &one);
     // Near 1 nothing is split off, so that small logarithms keep their digits.
-    let near = ratio(q).abs() < Rational::new(1.into(), 5.into());
+    let near = (ratio(q) * Rational::from_integer(5.into()))
+        .to_integer()
+        .is_zero();
     let exponent = match near {
         true => 0,
         false => q.numer().bits() as i64 - q.denom().bits() as i64,
@@ -308,6 +310,7 @@ mod tests {
             (root(&ratio(2, 1).pow(201_i64), 2, 64), 500),
             (root(&ratio(7, 5), 3, 64), 500),
             (ln(&ratio((1 << 30) - 1, 1 << 30), 64), 500),
+            (ln(&ratio(2, 1).pow(-100_i64), 64), 500),
             (exp(&ratio(100, 1), 64), 500),
             (exp(&ratio(-100, 3), 64), 500),
             (exp(&ratio(65535, 1), 64), 95_000),
