@@ -349,6 +349,8 @@ mod tests {
                 let width = (found.high() - found.low()) / number.abs();
                 assert!(holds(&found, &number));
                 assert!(width < ratio(1, 1 << 17) && found.size() < 500);
+                let found = Interval::exact(number.recip()).rounded(20);
+                assert!(holds(&found, &number.recip()) && found.size() < 500);
             }
         }
         assert_eq!(interval(5, 9).rounded(8), interval(5, 9));
