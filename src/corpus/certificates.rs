@@ -1,6 +1,7 @@
 //! The certificates of a book on disk: one file a claim, `ID.proof`.
 //!
-//! The folder is `certificates` in the folder of the book, or beside the file of a chapter. An id is
+//! The folder is `certificates` in the folder of the book, or beside the file of a chapter, or in a
+//! folder around it. An id is
 //! letters, digits, `.` and `-`, so it is safe as the name of a file.
 
 use super::file::replace;
@@ -33,15 +34,21 @@ struct Shelf {
 }
 
 impl Store {
-    /// The certificates beside chapters, or in folders of chapters.
+    /// The certificates in folders of chapters, or beside chapters: in the folder of the path, or else
+    /// the nearest around it that has some. Where there are none yet they belong into the first.
     pub fn beside(paths: &[PathBuf]) -> Store {
-        let shelf = |path: &PathBuf| Shelf {
-            book: path.clone(),
-            folder: match path.is_dir() {
-                true => path.join(FOLDER),
-                false => path.with_file_name(FOLDER),
-            },
-            shown: FOLDER.into(),
+        let shelf = |path: &PathBuf| {
+            let own = match path.is_dir() {
+                true => path.clone(),
+                false => path.with_file_name(""),
+            };
+            let mut folders = own.ancestors().map(|folder| folder.join(FOLDER));
+            let there = folders.find(|folder| folder.is_dir());
+            Shelf {
+                book: path.clone(),
+                folder: there.unwrap_or_else(|| own.join(FOLDER)),
+                shown: FOLDER.into(),
+            }
         };
         Store {
             shelves: paths.iter().map(shelf).collect(),
@@ -251,6 +258,7 @@ mod tests {
         assert_eq!(path(&["other", "proofs/chapter.md"]), beside);
         // The folder `proofs` of this repository.
         assert_eq!(path(&["proofs"]), beside);
+        assert_eq!(path(&["proofs/thesis/chapter.md"]), beside);
         assert_eq!(
             Store::beside(&["proofs".into()]).shown(&book.claims[0]),
             "certificates/a-1.proof"

@@ -96,7 +96,7 @@ impl Recheck {
     fn items(&mut self, kept: &Kept, statements: [Option<&Proposition>; 2]) {
         for item in &kept.items {
             if !statements.contains(&Some(item.proposition())) {
-                let reason = "this is another statement than the claim's; `check --save` renews it";
+                let reason = "this is another statement than the claim's; `check --save` renews it, or delete it";
                 self.failures.push(kept.failed(item.line, reason));
             }
             if let Some(other) = kept.items.iter().find(|other| item.contradicts(other)) {
