@@ -1,5 +1,5 @@
 //! The prover of identities on the book: without any certificate it proves the equations of the claims
-//! that are expected to be proved, as printed or as mended. Every fourth is tried, which takes seconds;
+//! that are expected to be proved, as printed or as mended; of a certificate only the example is used. Every fourth is tried, which takes seconds;
 //! the certificates of all are replayed elsewhere.
 //!
 //! `IDENTITIES=all cargo test --release --test identities` tries all; `IDENTITIES=2.14,2.28 cargo test --release --test identities -- --nocapture` shows some of them,
@@ -7,127 +7,23 @@
 #![cfg(feature = "engine")]
 
 use claimcheck::book::{Claim, read};
-use claimcheck::formula::{
-    Condition, Formula, FunctionKind, Operator, Parameter, ParameterKind, Point, Proposition,
-    Rational, Relation, Statement, parse_formula,
-};
+use claimcheck::corpus::certificates::Store;
+use claimcheck::formula::{Formula, Point, Proposition, Relation, Statement};
+use claimcheck::kernel::proof::Certificate;
 use claimcheck::prover::identity::prove;
-use num_bigint::BigInt;
-use num_traits::ToPrimitive;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// A point of the domain found by trying small numbers.
-fn examples(proposition: &Proposition) -> Vec<Point> {
-    let mut found = Vec::new();
-    extend(
-        proposition,
-        &proposition.parameters,
-        Point::default(),
-        &mut found,
-    );
-    found
-}
-
-fn extend(proposition: &Proposition, rest: &[Parameter], point: Point, found: &mut Vec<Point>) {
-    if found.len() >= 2 {
-        return;
-    }
-    let values: BTreeMap<&str, f64> = point
-        .numbers
-        .iter()
-        .map(|(name, value)| (&**name, value.to_f64().unwrap_or(f64::NAN)))
-        .collect();
-    let fails = |condition: &Condition| holds(condition, &values) == Some(false);
-    if proposition.domain.iter().any(fails) {
-        return;
-    }
-    let Some((parameter, rest)) = rest.split_first() else {
-        found.push(point);
-        return;
+/// The points at which the claim's certificates show that it is not true for want of values.
+fn examples(store: &Store, claim: &Claim) -> Vec<Point> {
+    let kept = store
+        .read(claim)
+        .unwrap_or_else(|flaw| panic!("{}: {flaw}", claim.id));
+    let example = |certificate| match certificate {
+        Certificate::Theorem(script) => Some(script.example),
+        Certificate::Refutation { .. } => None,
     };
-    let mut next = |value: (i64, i64)| {
-        let mut point = point.clone();
-        let value = Rational::new(BigInt::from(value.0), BigInt::from(value.1));
-        point.numbers.insert(parameter.name.clone(), value);
-        extend(proposition, rest, point, found);
-    };
-    match &parameter.kind {
-        ParameterKind::Integer => [3, 4, 5, 2, 1].into_iter().for_each(|n| next((n, 1))),
-        ParameterKind::Real => {
-            let small = [(1, 2), (1, 3), (2, 3), (1, 1), (2, 1)];
-            small.into_iter().for_each(&mut next);
-        }
-        ParameterKind::Function { kind, .. } => {
-            let text = match kind {
-                FunctionKind::Density => "6*x*(1 - x)",
-                _ => "1 + x",
-            };
-            let body = parse_formula(text).expect("a formula");
-            let mut point = point.clone();
-            let name = parameter.name.clone();
-            point.functions.insert(name, ("x".into(), body));
-            extend(proposition, rest, point, found);
-        }
-    }
-}
-
-fn holds(condition: &Condition, values: &BTreeMap<&str, f64>) -> Option<bool> {
-    match condition {
-        Condition::Chain(first, links) => {
-            let mut left = number(first, values);
-            let mut all = Some(true);
-            for (relation, right) in links {
-                let right = number(right, values);
-                match (left, right) {
-                    (Some(a), Some(b)) if !related(a, *relation, b) => return Some(false),
-                    (Some(_), Some(_)) => {}
-                    _ => all = None,
-                }
-                left = right;
-            }
-            all
-        }
-        Condition::And(parts) => {
-            let parts: Vec<_> = parts.iter().map(|part| holds(part, values)).collect();
-            match parts.contains(&Some(false)) {
-                true => Some(false),
-                false => Some(true),
-            }
-        }
-        _ => None,
-    }
-}
-
-fn related(a: f64, relation: Relation, b: f64) -> bool {
-    match relation {
-        Relation::Equal => a == b,
-        Relation::NotEqual => a != b,
-        Relation::Less => a < b,
-        Relation::LessEqual => a <= b,
-        Relation::Greater => a > b,
-        _ => a >= b,
-    }
-}
-
-fn number(e: &Formula, values: &BTreeMap<&str, f64>) -> Option<f64> {
-    match e {
-        Formula::Number(value) => value.to_f64(),
-        Formula::Name(name) => values.get(&**name).copied(),
-        Formula::Negate(a) => Some(-number(a, values)?),
-        Formula::Binary(operator, a, b) => {
-            let (a, b) = (number(a, values)?, number(b, values)?);
-            Some(match operator {
-                Operator::Add => a + b,
-                Operator::Subtract => a - b,
-                Operator::Multiply => a * b,
-                Operator::Divide => a / b,
-                Operator::Power => a.powf(b),
-            })
-        }
-        _ => None,
-    }
+    kept.into_iter().filter_map(example).collect()
 }
 
 /// How many links are equations that a proof may close.
@@ -150,13 +46,19 @@ fn has_order(e: &Formula) -> bool {
     }
 }
 
-fn try_one(id: &str, which: &str, proposition: &Proposition, show: bool) -> Option<bool> {
+fn try_one(
+    id: &str,
+    which: &str,
+    proposition: &Proposition,
+    examples: &[Point],
+    show: bool,
+) -> Option<bool> {
     let wanted = equations(&proposition.statement);
     if wanted == 0 {
         return None;
     }
     let start = Instant::now();
-    let script = prove(proposition, &examples(proposition));
+    let script = prove(proposition, examples);
     let time = start.elapsed().as_millis();
     let proved = script.as_ref().map_or(0, |script| script.links.len());
     if show && let Some(script) = &script {
@@ -181,6 +83,7 @@ fn the_book() {
     let only = only.filter(|only| only != "all");
     let only: Option<Vec<&str>> = only.as_ref().map(|only| only.split(',').collect());
     let path = std::env::var("BOOK").unwrap_or_else(|_| "proofs/thesis".to_string());
+    let store = Store::beside(&[PathBuf::from(&path)]);
     let book = read(&[PathBuf::from(path)]).unwrap_or_else(|errors| panic!("{errors:?}"));
     let (mut proved, mut all) = (0, 0);
     let mut failed = Vec::new();
@@ -202,7 +105,13 @@ fn the_book() {
             None => ("printed", claim.printed()),
         };
         let proposition = proposition.unwrap_or_else(|error| panic!("{}: {error}", claim.id));
-        match try_one(&claim.id, which, &proposition, show) {
+        match try_one(
+            &claim.id,
+            which,
+            &proposition,
+            &examples(&store, claim),
+            show,
+        ) {
             Some(true) => proved += 1,
             Some(false) => failed.push(claim.id.to_string()),
             None => continue,
