@@ -1,9 +1,10 @@
 //! The prover of identities on the book: without any certificate it proves the equations of the claims
-//! that are expected to be proved, as printed or as mended; of a certificate only the example is used. Every fourth is tried, which takes seconds;
-//! the certificates of all are replayed elsewhere.
+//! that are expected to be proved, as printed or as mended; of a certificate only the example is used.
+//! Every fourth is tried, which takes seconds; the certificates of all are replayed elsewhere.
 //!
-//! `IDENTITIES=all cargo test --release --test identities` tries all; `IDENTITIES=2.14,2.28 cargo test --release --test identities -- --nocapture` shows some of them,
-//! with the certificates; `BOOK=proofs/beyond` reads another chapter.
+//! `IDENTITIES=all cargo test --release --test identities` tries all; `IDENTITIES=2.14,2.28`, with
+//! `-- --nocapture`, shows some of them and their certificates; `BOOK=proofs/beyond` reads another
+//! chapter.
 #![cfg(feature = "engine")]
 
 use claimcheck::book::{Claim, read};
