@@ -35,7 +35,7 @@ fn surprise(report: &Report) -> String {
 #[test]
 fn every_claim_is_as_expected() {
     let path = PathBuf::from("proofs");
-    let book = read(&[path.clone()]).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let book = read(std::slice::from_ref(&path)).unwrap_or_else(|errors| panic!("{errors:?}"));
     let options = Options {
         certificates: Some(Store::beside(&[path])),
         ..Options::default()
