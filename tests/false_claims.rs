@@ -47,6 +47,17 @@ fn a_point_that_cannot_be_told_is_no_evidence() {
 }
 
 #[test]
+fn an_integral_has_no_derivative_where_its_integrand_jumps() {
+    never_passes(&[
+        "given real x with 0 < x < 1\nsays diff(int([s < 1/2], s = 0..x), x) == [x < 1/2]",
+        "given real x with 0 < x < 1\nsays diff(int(if(s == 1/2, 7, 1), s = 0..x), x) == 1 + 6*[x == 1/2]",
+        "given real k > 0\ndraw X ~ uniform(0, k)\nsays mean(X)*int(1, k) == k^2/4",
+    ]);
+    let smooth = "given real x with 0 < x < 1\nsays diff(int(s^2, s = 0..x), x) == x^2";
+    assert_eq!(verdict(smooth), Verdict::Certified);
+}
+
+#[test]
 fn a_statement_s_own_constants_and_far_points_are_tried() {
     for lines in [
         "given int k, n with 1 <= k <= n\nsays k/n == k/n + [k == 37]",

@@ -238,6 +238,16 @@ const ILL_TYPED: &[(&str, &str, &str)] = &[
         "X",
     ),
     (
+        "given real k > 0\ndraw X ~ uniform(0, k)\nlet m = mean(X)\nsays sum(m, k = 1..3) == 3*k/2",
+        "`m` is defined with another `k`",
+        "m",
+    ),
+    (
+        "given real k > 0\ndraw X ~ uniform(0, k)\nsays sum(mean(X), k = 1..3) == 3*k/2",
+        "a draw's law has another `k` than the one bound here",
+        "k",
+    ),
+    (
         "given real r, c > 0\nlet F(s) = s + r\nsays int(F(c), r = 0..1) == c + r",
         "`F` is defined with another `r`",
         "F",

@@ -9,6 +9,7 @@ use crate::formula::{
     Condition, Draw, Formula, Name, Parameter, ParameterKind, Part, Proposition, Regime, Span,
     Statement, Substitution, TooLarge, free_names,
 };
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A statement that makes no sense as written, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -183,6 +184,7 @@ fn finish(
         span: place.span,
     };
     let unfolding = Unfolding::new(scope).map_err(too_large)?;
+    let symbols = Hidden::of(scope, &unfolding);
     let bodies = scope.definitions.iter().map(|d| Part::Formula(&d.body));
     let mut parts: Vec<Part> = bodies.collect();
     parts.extend(
@@ -192,14 +194,26 @@ fn finish(
     );
     parts.extend(parts_of(statement));
     for part in parts {
-        if let Some((name, bound)) = shadowed(part, &mut Vec::new(), &unfolding.substitution) {
-            return Err(IllTyped {
-                message: format!(
-                    "`{name}` is defined with another `{bound}` than the one bound where it stands; \
-                     define it as `{name}({bound})`"
-                ),
-                span: place_of(&Culprit::Name(name), place, &unfolding.substitution),
-            });
+        match symbols.shadowed(part, &mut Vec::new()) {
+            None => {}
+            Some((Some(name), bound)) => {
+                return Err(IllTyped {
+                    message: format!(
+                        "`{name}` is defined with another `{bound}` than the one bound where it stands; \
+                         define it as `{name}({bound})`"
+                    ),
+                    span: place_of(&Culprit::Name(name), place, &unfolding.substitution),
+                });
+            }
+            Some((None, bound)) => {
+                return Err(IllTyped {
+                    message: format!(
+                        "a draw's law has another `{bound}` than the one bound here; give the mean a \
+                         draw of its own"
+                    ),
+                    span: place_of(&Culprit::Name(bound), place, &unfolding.substitution),
+                });
+            }
         }
     }
     let last = conditions
@@ -220,34 +234,72 @@ fn finish(
     Ok(proposition)
 }
 
-/// A definition used under a binder of a name that its body has too, and that name. The two are
-/// different symbols, which is hardly ever meant: `let X = r^2` makes `diff(X, r)` zero.
-fn shadowed<'a>(
-    part: Part<'a>,
-    bound: &mut Vec<&'a Name>,
-    definitions: &Substitution,
-) -> Option<(Name, Name)> {
-    if let Part::Formula(Formula::Name(name) | Formula::Apply(name, _)) = part
-        && !bound.contains(&name)
-        && let Some(other) = definitions.brings(name).find(|free| bound.contains(free))
-    {
-        return Some((name.clone(), other.clone()));
-    }
-    // These two bind without saying so.
-    let own = match part {
-        Part::Formula(Formula::Derivative(_, x, _) | Formula::Antiderivative(_, x)) => Some(x),
-        _ => None,
-    };
-    let mut found = None;
-    part.each(&mut |inner, names| {
-        if found.is_none() {
-            let outside = bound.len();
-            bound.extend(own.iter().chain(names));
-            found = shadowed(inner, bound, definitions);
-            bound.truncate(outside);
+/// What symbols stand for without showing it.
+struct Hidden<'a> {
+    /// What each definition brings along.
+    definitions: BTreeMap<&'a Name, BTreeSet<Name>>,
+    /// The names in the laws of the draws.
+    laws: BTreeSet<Name>,
+}
+
+impl<'a> Hidden<'a> {
+    fn of(scope: &'a Scope, unfolding: &Unfolding) -> Hidden<'a> {
+        let laws = unfolding.draws.iter().map(|draw| Part::Law(&draw.law));
+        let laws: BTreeSet<Name> = laws.flat_map(Part::free_names).collect();
+        let mut definitions = BTreeMap::new();
+        for definition in &scope.definitions {
+            let brings = unfolding.substitution.brings(&definition.name);
+            let mut names: BTreeSet<Name> = brings.cloned().collect();
+            if unfolding.substitution.is_over_draws(&definition.name) {
+                names.extend(laws.iter().cloned());
+            }
+            definitions.insert(&definition.name, names);
         }
-    });
-    found
+        Hidden { definitions, laws }
+    }
+
+    /// A symbol under a binder of a name that it brings along, and that name: a definition, or else
+    /// what is taken over draws. The two names are different symbols, which is hardly ever meant:
+    /// `let X = r^2` makes `diff(X, r)` zero.
+    fn shadowed(&self, part: Part<'a>, bound: &mut Vec<&'a Name>) -> Option<(Option<Name>, Name)> {
+        let of = |names: &BTreeSet<Name>| names.iter().find(|name| bound.contains(name)).cloned();
+        match part {
+            Part::Formula(Formula::Name(name) | Formula::Apply(name, _))
+                if !bound.contains(&name) =>
+            {
+                if let Some(other) = self.definitions.get(name).and_then(of) {
+                    return Some((Some(name.clone()), other));
+                }
+            }
+            Part::Formula(
+                Formula::Mean(_, None)
+                | Formula::Variance(_, None)
+                | Formula::Probability(_, None)
+                | Formula::Density(..)
+                | Formula::Cumulative(..),
+            ) => {
+                if let Some(other) = of(&self.laws) {
+                    return Some((None, other));
+                }
+            }
+            _ => {}
+        }
+        // These two bind without saying so.
+        let own = match part {
+            Part::Formula(Formula::Derivative(_, x, _) | Formula::Antiderivative(_, x)) => Some(x),
+            _ => None,
+        };
+        let mut found = None;
+        part.each(&mut |inner, names| {
+            if found.is_none() {
+                let outside = bound.len();
+                bound.extend(own.iter().chain(names));
+                found = self.shadowed(inner, bound);
+                bound.truncate(outside);
+            }
+        });
+        found
+    }
 }
 
 /// The formulas of a statement.

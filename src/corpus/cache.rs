@@ -114,10 +114,12 @@ impl Entry {
     /// The report, now of the claim at its present place. Its evidence is not kept.
     pub fn read(&self, claim: &Claim) -> Found {
         // What cannot be read is as good as not there; what cannot be replaced either is told then.
-        let Ok(entry) = fs::read(&self.0) else {
-            return Found::Nothing;
+        let entry = match text(&self.0) {
+            Ok(Some(entry)) => entry,
+            Ok(None) => return Found::Nothing,
+            Err(_) => return Found::Damaged,
         };
-        let Some(mut report) = unsealed(&entry) else {
+        let Some(mut report) = self.unsealed(&entry) else {
             return Found::Damaged;
         };
         report.file = claim.file.display().to_string();
@@ -130,25 +132,25 @@ impl Entry {
     /// # Errors
     /// Those of the file system.
     pub fn write(&self, report: &Report) -> io::Result<()> {
-        replace(&self.0, &sealed(report)?)
+        let json = serde_json::to_string(report)?;
+        replace(&self.0, &format!("{}\n{json}", self.checksum(&json)))
     }
-}
 
-/// A line with the checksum, then the report.
-fn sealed(report: &Report) -> io::Result<String> {
-    let json = serde_json::to_string(report)?;
-    let mut digest = Digest::new();
-    digest.write(json.as_bytes());
-    Ok(format!("{}\n{json}", digest.hex()))
-}
+    fn unsealed(&self, entry: &str) -> Option<Report> {
+        let (checksum, json) = entry.split_once('\n')?;
+        match checksum == self.checksum(json) {
+            true => serde_json::from_str(json).ok(),
+            false => None,
+        }
+    }
 
-fn unsealed(entry: &[u8]) -> Option<Report> {
-    let (checksum, json) = std::str::from_utf8(entry).ok()?.split_once('\n')?;
-    let mut digest = Digest::new();
-    digest.write(json.as_bytes());
-    match checksum == digest.hex() {
-        true => serde_json::from_str(json).ok(),
-        false => None,
+    /// Of the entry's name too: in the place of another it is damaged.
+    fn checksum(&self, json: &str) -> String {
+        let mut digest = Digest::new();
+        let name = self.0.file_name().unwrap_or_default();
+        digest.write(name.as_encoded_bytes());
+        digest.write(json.as_bytes());
+        digest.hex()
     }
 }
 
@@ -372,6 +374,10 @@ why    it goes on
             fs::write(&entry.0, &text).expect("can be written");
             assert_eq!(entry.read(claim), Found::Damaged, "{text}");
         }
+        // The entry of another claim, whole.
+        let other = cache.entry(&book.claims[1], None, None, &settings);
+        fs::write(&other.0, &whole).expect("can be written");
+        assert_eq!(other.read(&book.claims[1]), Found::Damaged);
         fs::write(&entry.0, b"\xff\n").expect("can be written");
         assert_eq!(entry.read(claim), Found::Damaged);
         fs::remove_dir_all(&folder).expect("it is there");

@@ -5,7 +5,10 @@
 use super::exact;
 use super::scope::Scope;
 use super::{Failure, Outcome, unsupported};
-use crate::formula::{Formula, Function, Name, Operator, Part, RangeKind, Ranged, substitute};
+use crate::formula::{
+    Formula, Function, Name, Operator, Part, RangeKind, Ranged, free_functions, substitute,
+};
+use crate::kernel::is_continuous;
 
 /// Larger derivatives are refused.
 const MAX_NODES: usize = 20_000;
@@ -254,8 +257,18 @@ fn ranged_derivative(ranged: &Ranged, name: &Name, scope: &Scope) -> Result<Form
     }
 }
 
-/// f(b) b' - f(a) a'
+/// f(b) b' - f(a) a', for a body that is continuous where it has values.
 fn boundary_terms(ranged: &Ranged, name: &Name, scope: &Scope) -> Result<Formula, Failure> {
+    let mut continuous = is_continuous(&ranged.body, &ranged.name);
+    for function in free_functions(&ranged.body) {
+        let (argument, body) = scope.function(&function)?;
+        continuous &= is_continuous(body, argument);
+    }
+    if !continuous {
+        return Err(unsupported(
+            "the derivative of an integral that may have kinks",
+        ));
+    }
     let term = |end: &Formula| -> Result<Formula, Failure> {
         let value = substitute(&ranged.body, &[(ranged.name.clone(), end.clone())])
             .map_err(|_| Failure::TooLarge("a derivative".into()))?;

@@ -20,7 +20,7 @@ mod substitute;
 
 pub use budget::Budget;
 pub use error::{Diagnostic, Span};
-pub use names::{Part, free_functions, free_names, nearest};
+pub use names::{Part, free_functions, free_names, is_over_draws, nearest};
 pub use parser::{
     MAX_DEPTH, MAX_DIGITS, MAX_NESTING, is_reserved, parse_condition, parse_formula, parse_law,
     parse_proposition, parse_statement,

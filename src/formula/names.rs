@@ -40,6 +40,21 @@ impl<'a> Part<'a> {
     }
 }
 
+/// Whether anything in it is taken over the draws of the claim: its value depends on the names of
+/// their laws, which are not among its free names.
+pub fn is_over_draws(part: Part) -> bool {
+    use Formula::{Cumulative, Density, Mean, Probability, Variance};
+    if let Part::Formula(
+        Mean(_, None) | Variance(_, None) | Probability(_, None) | Density(..) | Cumulative(..),
+    ) = part
+    {
+        return true;
+    }
+    let mut found = false;
+    part.each(&mut |inner, _| found = found || is_over_draws(inner));
+    found
+}
+
 fn each_of_formula<'a>(formula: &'a Formula, visit: &mut dyn FnMut(Part<'a>, &[&'a Name])) {
     use Part::{Condition as C, Formula as F};
     match formula {

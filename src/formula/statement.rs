@@ -1,6 +1,6 @@
 //! Statements: what a claim says of its formulas.
 
-use super::{Condition, Formula, Name, Operator, Part, Relation, free_names};
+use super::{Condition, Formula, Name, Operator, Part, Relation, free_names, is_over_draws};
 use std::borrow::Cow;
 
 /// What a claim states of its formulas.
@@ -137,8 +137,12 @@ fn variable(part: Part) -> Option<Name> {
     found
 }
 
-/// The derivative of a sum of antiderivatives and other terms.
+/// The derivative of a sum of antiderivatives and other terms, nothing of it over draws: their laws may
+/// name x.
 fn derivative(formula: &Formula, x: &Name) -> Option<Formula> {
+    if is_over_draws(Part::Formula(formula)) {
+        return None;
+    }
     if variable(Part::Formula(formula)).is_none() {
         let once = Box::new(Formula::integer(1));
         return Some(Formula::Derivative(

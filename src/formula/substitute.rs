@@ -10,7 +10,7 @@
 use super::names::functions_into;
 use super::{
     Condition, Draw, Duty, Formula, Law, MAX_DEPTH, Name, Part, Ranged, Regime, Statement, Target,
-    Tendency, free_names,
+    Tendency, free_names, is_over_draws,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -112,6 +112,14 @@ impl Substitution {
         let value = self.values.get(name).map(|value| &value.free);
         let body = self.functions.get(name).map(|body| &body.free);
         value.into_iter().chain(body).flatten()
+    }
+
+    /// Whether what is put for a name is taken over draws.
+    pub fn is_over_draws(&self, name: &Name) -> bool {
+        let value = self.values.get(name).map(|value| &value.formula);
+        let body = self.functions.get(name).map(|body| &body.formula);
+        let formulas = value.into_iter().chain(body);
+        formulas.map(Part::Formula).any(is_over_draws)
     }
 
     /// The formula with all replacements made.

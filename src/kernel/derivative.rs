@@ -1,7 +1,9 @@
 //! The derivative of a formula, by the rules of calculus, and what is continuous.
 
 use super::{Unknown, unknown};
-use crate::formula::{Formula, Function, Name, Operator, RangeKind, free_names};
+use crate::formula::{
+    Formula, Function, Name, Operator, Part, RangeKind, free_names, is_over_draws,
+};
 
 use Operator::{Add, Divide, Multiply, Power, Subtract};
 
@@ -13,6 +15,10 @@ use Operator::{Add, Divide, Multiply, Power, Subtract};
 /// # Errors
 /// [`Unknown`] for a formula that the rules do not cover.
 pub fn derive(e: &Formula, x: &Name) -> Result<Formula, Unknown> {
+    // The laws of the draws may name x.
+    if is_over_draws(Part::Formula(e)) {
+        return unknown("the derivative of what is taken over draws");
+    }
     if !free_names(e).contains(x) {
         return Ok(Formula::integer(0));
     }
@@ -96,7 +102,10 @@ fn call(function: Function, e: &Formula, a: &Formula, da: Formula) -> Result<For
 /// Whether the formula is continuous in x wherever it has finite values: it is made of operations
 /// that are so. A power with an exponent free of x is one of them: it is finite by its base's sign or
 /// by its integer exponent, the same way all over.
-pub(super) fn is_continuous(e: &Formula, x: &Name) -> bool {
+pub fn is_continuous(e: &Formula, x: &Name) -> bool {
+    if is_over_draws(Part::Formula(e)) {
+        return false;
+    }
     if !free_names(e).contains(x) {
         return true;
     }
@@ -106,6 +115,7 @@ pub(super) fn is_continuous(e: &Formula, x: &Name) -> bool {
         Formula::Binary(Power, a, b) => !free_names(b).contains(x) && is_continuous(a, x),
         Formula::Binary(_, a, b) => is_continuous(a, x) && is_continuous(b, x),
         Formula::Call(Function::Exp | Function::Ln | Function::Sqrt | Function::Abs, parts)
+        | Formula::Call(Function::Sin | Function::Cos, parts)
         | Formula::Apply(_, parts) => parts.iter().all(|part| is_continuous(part, x)),
         _ => false,
     }

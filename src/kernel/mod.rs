@@ -33,6 +33,7 @@ mod tests;
 mod value;
 mod witness;
 
+pub use derivative::is_continuous;
 pub use quantity::Value;
 pub use value::value;
 pub use witness::{Because, Refutation, Witness, check_example, check_witness};

@@ -25,7 +25,8 @@ pub use rule::Rule;
 pub use super::derivative::derive;
 use super::{Unknown, check_example};
 use crate::formula::{
-    Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_reserved,
+    Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_over_draws,
+    is_reserved,
 };
 use normal::{Atoms, Fraction};
 use std::cell::{Cell, RefCell};
@@ -311,7 +312,7 @@ impl<'p> Proof<'p> {
     fn check_names(&self, fact: &Fact) -> Result<(), Rejected> {
         for side in fact.sides() {
             require(
-                !hides_draws(Part::Formula(side), false),
+                !hides_draws(Part::Formula(side)),
                 "a mean over draws under a binder",
             )?;
         }
@@ -361,22 +362,16 @@ impl<'p> Proof<'p> {
 }
 
 /// Whether a mean, density or distribution of the proposition's draws stands under a binder.
-fn hides_draws(part: Part, bound: bool) -> bool {
-    use Formula::{Antiderivative, Cumulative, Density, Derivative, Mean, Probability, Variance};
-    if let Part::Formula(formula) = part {
-        let over_draws = matches!(
-            formula,
-            Mean(_, None) | Variance(_, None) | Probability(_, None) | Density(..) | Cumulative(..)
-        );
-        if bound && over_draws {
-            return true;
-        }
-    }
+fn hides_draws(part: Part) -> bool {
     // These two bind without saying so.
-    let derives = matches!(part, Part::Formula(Derivative(..) | Antiderivative(..)));
+    let derives = matches!(
+        part,
+        Part::Formula(Formula::Derivative(..) | Formula::Antiderivative(..))
+    );
     let mut found = false;
     part.each(&mut |inner, names| {
-        found = found || hides_draws(inner, bound || derives || !names.is_empty());
+        let bound = derives || !names.is_empty();
+        found = found || (bound && is_over_draws(inner)) || hides_draws(inner);
     });
     found
 }

@@ -247,3 +247,30 @@ fn a_refutation_shows_both_values() {
     assert_eq!(second.because(), Because::Disjoint);
     assert_eq!(Ok(second.left().clone()), exact(1, 3));
 }
+
+/// The law of a draw may name what a derivative is taken in: all of these hold.
+#[test]
+fn derivatives_of_means_know_the_laws() {
+    for says in [
+        "diff(mean(X), k) == 1/2",
+        "diff(k*mean(X), k) == k",
+        "diff(int(mean(X)*s, s = 0..1), k) == 1/4",
+        "int(1/2, k) == mean(X)",
+        "diff(k*prob(X < 1/2), k) == [k < 1/2]",
+        "diff(var(X), k) == k/6",
+        "diff(cdf(X, 1/2)*k, k) == 0",
+    ] {
+        let claim = format!("given real k\ndomain k > 0\ndraw X ~ uniform(0, k)\nsays {says}");
+        assert!(check(&claim, &[("k", "1")], 0).is_err(), "{says}");
+    }
+}
+
+/// Equations with antiderivatives are refuted where the derivatives differ.
+#[test]
+fn antiderivatives_are_compared_by_derivatives() {
+    let at = |says: &str, x: &str| check(&format!("given real x\nsays {says}"), &[("x", x)], 0);
+    assert_eq!(at("int(x, x) == x^2", "1"), Ok(Because::Disjoint));
+    assert_eq!(at("ln(x) == int(1/x, x)", "-1"), Ok(Because::Undefined));
+    assert!(at("int(x, x) == x^2/2 + 7", "1").is_err());
+    assert!(at("ln(x) == int(1/x, x)", "2").is_err());
+}
