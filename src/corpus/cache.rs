@@ -116,8 +116,8 @@ impl Entry {
         // What cannot be read is as good as not there; what cannot be replaced either is told then.
         let entry = match text(&self.0) {
             Ok(Some(entry)) => entry,
-            Ok(None) => return Found::Nothing,
-            Err(_) => return Found::Damaged,
+            Err(_) if self.0.is_file() => return Found::Damaged,
+            Ok(None) | Err(_) => return Found::Nothing,
         };
         let Some(mut report) = self.unsealed(&entry) else {
             return Found::Damaged;

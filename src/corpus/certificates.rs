@@ -1,7 +1,7 @@
 //! The certificates of a book on disk: one file a claim, `ID.proof`.
 //!
-//! The folder is `certificates` in the folder of the book, or beside the file of a chapter, or in a
-//! folder around it. An id is
+//! The folder is `certificates` in the folder of the book, or beside the file of a chapter, or
+//! beside the folder of that. An id is
 //! letters, digits, `.` and `-`, so it is safe as the name of a file.
 
 use super::file::replace;
@@ -34,19 +34,24 @@ struct Shelf {
 }
 
 impl Store {
-    /// The certificates in folders of chapters, or beside chapters: in the folder of the path, or else
-    /// the nearest around it that has some. Where there are none yet they belong into the first.
+    /// The certificates in folders of chapters, or beside chapters, or else, for a chapter in a folder of
+    /// a book, beside that folder. Where there are none yet they belong beside the chapter.
     pub fn beside(paths: &[PathBuf]) -> Store {
         let shelf = |path: &PathBuf| {
-            let own = match path.is_dir() {
-                true => path.clone(),
-                false => path.with_file_name(""),
+            let (own, around) = match path.is_dir() {
+                true => (path.join(FOLDER), None),
+                false => {
+                    let book = path.parent().and_then(Path::parent);
+                    (
+                        path.with_file_name(FOLDER),
+                        book.map(|book| book.join(FOLDER)),
+                    )
+                }
             };
-            let mut folders = own.ancestors().map(|folder| folder.join(FOLDER));
-            let there = folders.find(|folder| folder.is_dir());
+            let around = around.filter(|around| !own.is_dir() && around.is_dir());
             Shelf {
                 book: path.clone(),
-                folder: there.unwrap_or_else(|| own.join(FOLDER)),
+                folder: around.unwrap_or(own),
                 shown: FOLDER.into(),
             }
         };
