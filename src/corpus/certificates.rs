@@ -1,8 +1,7 @@
 //! The certificates of a book on disk: one file a claim, `ID.proof`.
 //!
 //! The folder is `certificates` in the folder of the book, or beside the file of a chapter, or
-//! beside the folder of that. An id is
-//! letters, digits, `.` and `-`, so it is safe as the name of a file.
+//! beside the folder of that. An id is letters, digits, `.` and `-`, so it is safe as the name of a file.
 
 use super::file::replace;
 use crate::book::Claim;
@@ -34,20 +33,16 @@ struct Shelf {
 }
 
 impl Store {
-    /// The certificates in folders of chapters, or beside chapters, or else, for a chapter in a folder of
-    /// a book, beside that folder. Where there are none yet they belong beside the chapter.
+    /// The certificates beside chapters: in the folder of the path itself, or else beside that folder, for
+    /// a chapter or some of them in a folder of a book. Where there are none yet they belong into the first.
     pub fn beside(paths: &[PathBuf]) -> Store {
         let shelf = |path: &PathBuf| {
-            let (own, around) = match path.is_dir() {
-                true => (path.join(FOLDER), None),
-                false => {
-                    let book = path.parent().and_then(Path::parent);
-                    (
-                        path.with_file_name(FOLDER),
-                        book.map(|book| book.join(FOLDER)),
-                    )
-                }
+            let home = match path.is_dir() {
+                true => path,
+                false => path.parent().unwrap_or(path),
             };
+            let own = home.join(FOLDER);
+            let around = home.parent().map(|book| book.join(FOLDER));
             let around = around.filter(|around| !own.is_dir() && around.is_dir());
             Shelf {
                 book: path.clone(),
@@ -263,8 +258,10 @@ mod tests {
         assert_eq!(path(&["other", "proofs/chapter.md"]), beside);
         // The folder `proofs` of this repository.
         assert_eq!(path(&["proofs"]), beside);
-        let around = Store::beside(&["proofs/thesis/chapter.md".into()]);
-        assert_eq!(around.folders(), [Path::new("proofs/certificates")]);
+        for around in ["proofs/thesis/chapter.md", "proofs/thesis"] {
+            let around = Store::beside(&[around.into()]);
+            assert_eq!(around.folders(), [Path::new("proofs/certificates")]);
+        }
         assert_eq!(
             Store::beside(&["proofs".into()]).shown(&book.claims[0]),
             "certificates/a-1.proof"
