@@ -26,6 +26,8 @@ pub(super) enum Item {
     Page(String),
     Quote(String),
     Slip(String),
+    Scan(String),
+    Like(Name),
     Why(String),
     Expect(Expectation),
 }
@@ -60,11 +62,13 @@ pub(super) enum Keyword {
     Page,
     Quote,
     Slip,
+    Scan,
+    Like,
     Why,
     Expect,
 }
 
-const KEYWORDS: [(&str, Keyword); 15] = [
+const KEYWORDS: [(&str, Keyword); 17] = [
     ("given", Keyword::Given),
     ("draw", Keyword::Draw),
     ("let", Keyword::Let),
@@ -78,6 +82,8 @@ const KEYWORDS: [(&str, Keyword); 15] = [
     ("page", Keyword::Page),
     ("quote", Keyword::Quote),
     ("slip", Keyword::Slip),
+    ("scan", Keyword::Scan),
+    ("like", Keyword::Like),
     ("why", Keyword::Why),
     ("expect", Keyword::Expect),
 ];
@@ -146,6 +152,9 @@ fn content(keyword: Keyword, source: &LogicalLine<'_>) -> Result<(Item, Vec<Ment
         Keyword::Same => parse(source, |parser| {
             parser.identifier().map(|id| Item::Same(id.0))
         }),
+        Keyword::Like => parse(source, |parser| {
+            parser.identifier().map(|id| Item::Like(id.0))
+        }),
         Keyword::After => parse(source, |parser| {
             parser.identifier().map(|id| Item::After(id.0))
         }),
@@ -156,6 +165,7 @@ fn content(keyword: Keyword, source: &LogicalLine<'_>) -> Result<(Item, Vec<Ment
         Keyword::Page => plain(Item::Page(page(source)?)),
         Keyword::Quote => plain(Item::Quote(words(source)?)),
         Keyword::Slip => plain(Item::Slip(words(source)?)),
+        Keyword::Scan => plain(Item::Scan(words(source)?)),
         Keyword::Why => plain(Item::Why(words(source)?)),
         Keyword::Expect => {
             let expect = expectation(&source.text).map_err(|error| error.shifted(source.start))?;

@@ -65,6 +65,10 @@ pub struct Claim {
     /// The words of the text that the claim judges.
     pub quote: Option<String>,
     pub slip: Option<String>,
+    /// What the copy at hand leaves open; it was read in the paper's favour.
+    pub scan: Option<String>,
+    /// The claim that has the same mistake.
+    pub like: Option<Name>,
     pub why: Option<String>,
     pub expect: Option<Expectation>,
     /// The text of the `expect` line as written.

@@ -416,11 +416,11 @@ impl Reader<'_> {
         }
     }
 
-    /// Claims that are only named: by `after` and `agrees`.
+    /// Claims that are only named: by `after`, `like` and `agrees`.
     fn references(&mut self, lines: &[Arc<Line>], claim: &Claim, ids: &HashMap<Name, usize>) {
         for line in lines {
             let id = match &line.item {
-                Item::After(id) => id,
+                Item::After(id) | Item::Like(id) => id,
                 Item::Says(statement) | Item::Mend(statement) => match named(statement) {
                     Some(id) => id,
                     None => continue,

@@ -77,6 +77,8 @@ pub(super) fn claim(header: &Header<'_>, lines: &[Arc<Line>]) -> Result<Claim, V
         page: None,
         quote: None,
         slip: None,
+        scan: None,
+        like: None,
         why: None,
         expect: None,
         expect_text: None,
@@ -132,6 +134,8 @@ fn fill(claim: &mut Claim, line: &Line, header: &Header<'_>) {
         Item::Page(page) => claim.page = Some(page.clone()),
         Item::Quote(words) => claim.quote = Some(words.clone()),
         Item::Slip(words) => claim.slip = Some(words.clone()),
+        Item::Scan(words) => claim.scan = Some(words.clone()),
+        Item::Like(id) => claim.like = Some(id.clone()),
         Item::Why(words) => claim.why = Some(words.clone()),
         Item::Expect(expect) => {
             claim.expect = Some(expect.clone());

@@ -31,7 +31,7 @@ use finding::{Evidence, Finding, Proof};
 use num_traits::{Signed, ToPrimitive, Zero};
 use points::Domain;
 use proof::decide;
-use statement::{holds_at, is_expansion, judge_proposition};
+use statement::{holds_at, is_expansion, judge_proposition, relation_count};
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -118,6 +118,8 @@ pub fn judge_with(
         page: claim.page.clone(),
         quote: claim.quote.clone(),
         slip: claim.slip.clone(),
+        scan: claim.scan.clone(),
+        like: claim.like.as_ref().map(ToString::to_string),
         why: claim.why.clone(),
         expected: claim.expect_text.clone().unwrap_or_default(),
         as_expected,
@@ -231,6 +233,9 @@ fn answer(
     fault: Fault,
 ) -> Answer {
     let theorem = finding.proof.as_ref().map(|proof| &proof.theorem);
+    let relations = unfolded
+        .as_ref()
+        .map_or(0, |it| relation_count(&it.statement));
     Answer {
         verdict: finding.verdict,
         fault: (finding.verdict == Verdict::Refuted).then_some(fault),
@@ -248,7 +253,9 @@ fn answer(
         facts: theorem.map_or_else(Vec::new, facts),
         certificate: None,
         evidence: certificate(unfolded, finding.proof.as_deref(), finding.witness.as_ref()),
-        witness: finding.witness.map(report_witness),
+        witness: finding
+            .witness
+            .map(|evidence| report_witness(evidence, relations)),
     }
 }
 
@@ -281,7 +288,7 @@ fn certificate(
     }
 }
 
-fn report_witness(evidence: Evidence) -> WitnessReport {
+fn report_witness(evidence: Evidence, relations: usize) -> WitnessReport {
     match evidence {
         Evidence::Checked {
             witness,
@@ -294,6 +301,7 @@ fn report_witness(evidence: Evidence) -> WitnessReport {
             ],
             difference: difference(refutation.left(), refutation.right()),
             because: cause(refutation.because()),
+            relation: (relations > 1).then_some(witness.link + 1),
         },
         Evidence::Series {
             point,
@@ -304,6 +312,7 @@ fn report_witness(evidence: Evidence) -> WitnessReport {
             values: [Some(found), Some(claimed)],
             difference: None,
             because: Cause::Remainder,
+            relation: None,
         },
     }
 }

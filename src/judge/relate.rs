@@ -99,7 +99,9 @@ fn relate_enclosed(
     context: &Context,
     digits: u32,
 ) -> AtPoint {
-    let most = (digits.max(15) * 4 + 64).saturating_mul(MOST_PRECISION_FACTOR);
+    // What `digits` digits take, with something to lose.
+    let enough = digits.saturating_mul(4).max(FIRST_PRECISION);
+    let most = enough.saturating_mul(MOST_PRECISION_FACTOR);
     let mut precision = FIRST_PRECISION;
     let mut reason = String::from("the enclosures overlap at every precision tried");
     while precision <= most {
@@ -122,6 +124,10 @@ fn relate_enclosed(
             (Err(failure), _) | (_, Err(failure)) => return AtPoint::Unknown(failure.to_string()),
         }
         precision *= 2;
+        // Fewer bits cannot make sides agree, and they did not tell them apart.
+        if relation == Relation::Equal {
+            precision = precision.max(enough);
+        }
     }
     AtPoint::Unknown(reason)
 }

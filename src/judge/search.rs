@@ -83,8 +83,9 @@ pub struct Search<'a> {
 /// How many failing points the kernel is asked about at a time, and how many times.
 const KERNEL_TRIES: usize = 6;
 const ROUNDS: usize = 3;
-/// So many points may cost more where none is cheap.
+/// So many points may cost more where none is cheap, which is given up after so many others.
 const COSTLY_POINTS: usize = 3;
+const COSTLY_TRIES: usize = 24;
 
 impl Search<'_> {
     /// Tries the relation at every point, and asks the kernel about those where it fails.
@@ -106,7 +107,7 @@ impl Search<'_> {
                     point,
                     self.at(point, (left, relation, right), STEPS_A_POINT),
                 );
-                if tally.two_valued.len() >= KERNEL_TRIES {
+                if tally.two_valued.len() >= KERNEL_TRIES || tally.is_costly() {
                     break;
                 }
             }
@@ -130,7 +131,7 @@ impl Search<'_> {
         let patient = if tally.held == 0 { COSTLY_POINTS } else { 0 };
         for (index, point) in costly.into_iter().enumerate() {
             if index < patient {
-                let steps = rest / (8 * COSTLY_POINTS as u64);
+                let steps = rest / (3 * COSTLY_POINTS as u64);
                 tally.add(point, self.at(point, (left, relation, right), steps));
             } else {
                 tally.too_costly.push(point);
@@ -247,6 +248,11 @@ impl<'a> Tally<'a> {
             AtPoint::Fails { both_valued: true } => self.two_valued.push(point),
             AtPoint::Fails { both_valued: false } => self.one_valued.push(point),
         }
+    }
+
+    /// Whether no value was cheap so far, nor will be: the smallest points come first.
+    fn is_costly(&self) -> bool {
+        self.held + self.set_aside == 0 && self.too_costly.len() >= COSTLY_TRIES
     }
 
     fn forget_candidates(&mut self) {

@@ -198,6 +198,12 @@ fn parts(statement: &Statement) -> Vec<Part<'_>> {
     }
 }
 
+/// How many relations a statement has, expansions among them.
+pub fn relation_count(statement: &Statement) -> usize {
+    let relation = |part: &&Part| matches!(part, Part::Relation { .. } | Part::Expansion { .. });
+    parts(statement).iter().filter(relation).count()
+}
+
 /// The two sides of each relation of a statement that can be tried at a point.
 pub fn relations(statement: &Statement) -> Vec<(&Formula, &Formula)> {
     let sides = |part| match part {

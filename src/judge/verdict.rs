@@ -76,6 +76,10 @@ pub struct Report {
     /// The words of the text that it judges.
     pub quote: Option<String>,
     pub slip: Option<String>,
+    /// What the copy at hand leaves open.
+    pub scan: Option<String>,
+    /// The claim that has the same mistake.
+    pub like: Option<String>,
     pub why: Option<String>,
     pub expected: String,
     pub as_expected: bool,
@@ -130,6 +134,8 @@ pub struct WitnessReport {
     /// How far the values lie apart: |left - right| / max(|left|, |right|), where both are finite.
     pub difference: Option<f64>,
     pub because: Cause,
+    /// Which relation of the statement fails, from 1; none where it has but one.
+    pub relation: Option<usize>,
 }
 
 /// Why a point is a witness.

@@ -255,6 +255,8 @@ fn details(report: &Report) -> String {
             .map(|quote| format!("“{}”", escape(quote))),
     );
     item("slip", words(&report.slip));
+    item("scan", words(&report.scan));
+    item("the same mistake as", words(&report.like));
     item("why", words(&report.why));
     for link in &report.printed.links {
         let verdict = format!("{}: {}", escape(&link.with), link.verdict.word());
@@ -319,6 +321,8 @@ mod tests {
                 &mut report.page,
                 &mut report.quote,
                 &mut report.slip,
+                &mut report.scan,
+                &mut report.like,
                 &mut report.why,
                 &mut report.needs,
                 &mut report.needs_fault,

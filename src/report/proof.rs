@@ -44,6 +44,7 @@ pub fn head(claim: &Claim) -> String {
         ("mend", claim.mend_text.as_ref()),
         ("needs", claim.needs.as_ref().map(|needs| &needs.text)),
         ("slip", claim.slip.as_ref()),
+        ("scan", claim.scan.as_ref()),
         ("why", claim.why.as_ref()),
     ];
     for (label, text) in lines {

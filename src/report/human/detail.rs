@@ -34,6 +34,8 @@ pub fn render(report: &Report) -> String {
     optional(&mut text, "needs", needs.as_deref());
     optional(&mut text, "needs is", report.needs_fault.as_deref());
     optional(&mut text, "slip", report.slip.as_deref());
+    optional(&mut text, "scan", report.scan.as_deref());
+    optional(&mut text, "like", report.like.as_deref());
     optional(&mut text, "why", report.why.as_deref());
     line(
         &mut text,

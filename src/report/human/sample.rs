@@ -47,6 +47,8 @@ fn report(id: &str, line: usize, printed: Answer) -> Report {
         page: None,
         quote: None,
         slip: None,
+        scan: None,
+        like: None,
         why: None,
         expected: "printed proved".into(),
         as_expected: true,
@@ -77,6 +79,7 @@ fn missing_condition() -> Report {
             values: [Some("+inf".into()), None],
             difference: None,
             because: Cause::Undefined,
+            relation: None,
         }),
         links: vec![LinkReport {
             with: "2.13".into(),
@@ -118,6 +121,7 @@ pub(in crate::report) fn errata() -> Vec<Report> {
             values: values.map(|value| value.map(str::to_owned)),
             difference,
             because,
+            relation: None,
         })
     };
     let wrong = |id: &str, says: &str, witness| {
@@ -155,8 +159,25 @@ pub(in crate::report) fn errata() -> Vec<Report> {
                 answer(Verdict::Proved, "int(2*r, r = 0..1) == 1"),
             )
         },
+        Report {
+            scan: Some("it reads l for 1".into()),
+            ..report("open", 1, answer(Verdict::Proved, "k/k == 1"))
+        },
         missing_condition(),
+        Report {
+            id: "2.15".into(),
+            ..missing_condition()
+        },
         report("no-sense", 1, ill),
+        Report {
+            like: Some("near".into()),
+            mended: mended("ln(2) == ln(4)/2", "certificates/near-again.proof"),
+            ..wrong(
+                "near-again",
+                "ln(2) == ln(4)",
+                witness(finite, Some(0.5), Cause::Disjoint),
+            )
+        },
         wrong(
             "duty",
             "f(r) is 3*r density on 0..1",
