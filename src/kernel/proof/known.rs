@@ -105,6 +105,7 @@ impl Proof<'_> {
         match (function, parts) {
             (Function::Sqrt, [a]) => self.nonnegative(a),
             (Function::Ln | Function::Gamma, [a]) => self.positive(a),
+            (Function::Exp, [_]) => Ok(true),
             (Function::Beta, [a, b]) => all!(self.positive(a), self.positive(b)),
             (Function::Binomial, [_, k]) => self.integer(k),
             (Function::Pochhammer, [_, n]) => all!(self.integer(n), self.nonnegative(n)),
@@ -233,9 +234,9 @@ impl Proof<'_> {
             nonzero,
         };
         Ok(match formula {
-            Formula::Pi | Formula::Factorial(_) | Formula::Call(Function::Beta, _) => {
-                sign(true, true)
-            }
+            Formula::Pi
+            | Formula::Factorial(_)
+            | Formula::Call(Function::Beta | Function::Exp, _) => sign(true, true),
             Formula::Negate(a) => sign(false, self.sign(a)?.nonzero),
             Formula::Binary(Operator::Add, a, b) => {
                 let (a, b) = (self.sign(a)?, self.sign(b)?);
@@ -311,8 +312,9 @@ impl Proof<'_> {
         Ok(self.sees_fact(&there)? || self.sees_fact(&back)?)
     }
 
-    /// Whether the formula has no value: it divides by 0, takes `ln` of what is not positive or a
-    /// negative power of 0, or has a part without value where all parts must have one.
+    /// Whether the formula has no value: it divides by 0, takes `ln` of what is not positive, a
+    /// negative power of 0, Gamma or a factorial at a pole, or has a part without value where all
+    /// parts must have one.
     pub(super) fn undefined(&self, formula: &Formula) -> Known {
         self.spend(1)?;
         let own = match formula {
@@ -322,6 +324,13 @@ impl Proof<'_> {
                 self.zero(a)? && self.finite(b)? && self.positive(&opposite)?
             }
             Formula::Call(Function::Ln, parts) => self.not_positive(&parts[0])?,
+            Formula::Call(Function::Gamma, parts) => {
+                self.not_positive(&parts[0])? && self.integer(&parts[0])?
+            }
+            Formula::Factorial(a) => {
+                let opposite = Formula::Negate(a.clone());
+                self.finite(a)? && self.integer(a)? && self.positive(&opposite)?
+            }
             _ => false,
         };
         if own || self.sees_fact(&Fact::Undefined(formula.clone()))? {

@@ -57,8 +57,9 @@ rules! {
     Congruence "congruence" "",
     /// `a == c` from `a == b` and `b == c`, each read in either direction.
     Chain "chain" "",
-    /// `undefined e` for a quotient by 0, `ln` of what is not positive, 0 to a negative power, or
-    /// anything strict with an undefined part; `a == b` where both are undefined.
+    /// `undefined e` for a quotient by 0, `ln` of what is not positive, 0 to a negative power,
+    /// `gamma(n)` for an integer n <= 0, `n!` for an integer n < 0, or anything strict with an
+    /// undefined part; `a == b` where both are undefined.
     None "none" "",
     /// `e == q` for a formula without names whose value is the number q; `undefined e` for one
     /// without value.
@@ -109,8 +110,8 @@ rules! {
     Euler "euler" "DLMF 15.6.1",
     /// `hyp2f1r(a, b; c; z) == hyp2f1(a, b; c; z)/gamma(c)`, c and 1 - z positive.
     Regularized "regularized" "DLMF 15.2.2",
-    /// `gamma(s) == t*gamma(t)` where `s == t + 1` and t is positive.
-    Gamma "gamma" "DLMF 5.5.1",
+    /// `gamma(s) == t*gamma(t)` where `s == t + 1` and t is nonzero; `gamma(1/2) == sqrt(pi)`.
+    Gamma "gamma" "DLMF 5.5.1, 5.4.6",
     /// `n! == gamma(n + 1)` for an integer n >= 0.
     Factorial "factorial" "DLMF 5.4.1",
     /// `beta(a, b) == gamma(a)*gamma(b)/gamma(a + b)`, a and b positive.
@@ -120,7 +121,7 @@ rules! {
     /// `pochhammer(a, n) == gamma(a + n)/gamma(a)`, a positive, n an integer >= 0.
     Pochhammer "pochhammer" "DLMF 5.2.5",
     /// `ln(a*b) == ln(a) + ln(b)`, `ln(a/b) == ln(a) - ln(b)`, `ln(a^p) == p*ln(a)`,
-    /// `ln(sqrt(a)) == ln(a)/2`, a and b positive.
+    /// `ln(sqrt(a)) == ln(a)/2`, a and b positive; `ln(exp(a)) == a`.
     Logarithm "logarithm" "DLMF 4.8(i)",
     /// `a^p == a^q*a^r` where `p == q + r`, `(a^p)^q == a^r` where `r == p*q`,
     /// `(a*b)^p == a^p*b^p`, `(a/b)^p == a^p/b^p`: with positive bases; or nonnegative ones

@@ -172,6 +172,7 @@ impl Builder<'_> {
                 self.as_gammas(atom)
             }
             Formula::Call(Function::Sqrt, _) => self.root(atom),
+            Formula::Call(Function::Gamma, parts) => self.gamma_of_half(atom, parts.first()?),
             Formula::Binary(Operator::Power, base, exponent) => {
                 self.expanded_power(atom, base, exponent)
             }

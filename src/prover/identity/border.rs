@@ -79,6 +79,16 @@ impl Builder<'_> {
                 }
             }
         }
+        if let Formula::Factorial(n) = e
+            && self.is_integer(n)
+            && self.attempt(|builder| builder.finite(n)).is_some()
+            && self.attempt(|builder| builder.nonnegative(n)).is_none()
+        {
+            let condition = Fact::Less((**n).clone(), integer(0));
+            if !found.contains(&condition) {
+                found.push(condition);
+            }
+        }
     }
 
     /// Conditions that may make a formula 0 in their one case and not in the other.

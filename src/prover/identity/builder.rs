@@ -4,12 +4,13 @@
 //! [`Builder::attempt`] puts everything back as it was.
 
 use super::field::Field;
-use super::form::{integer, plus};
+use super::form::{integer, minus, number, plus};
 use super::known::Sign;
 use super::prune::prune;
 use crate::algebra::RationalFunction;
-use crate::formula::{Condition, Formula, Name, Point, Proposition, Rational, is_reserved};
+use crate::formula::{Condition, Formula, Name, Point, Proposition, is_reserved};
 use crate::kernel::proof::{Fact, Line, Proof, Rule, Script, Step, Variable};
+use crate::number::convert::from_rug;
 use std::cell::{Cell, RefCell};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -167,14 +168,21 @@ impl<'p> Builder<'p> {
         }
     }
 
-    /// `a + 1 <= b` from `a < b` for integers.
+    /// `a + 1 <= b` from `a < b` for integers; of a number that is none, the integer above it.
     fn round(&mut self, a: Formula, b: Formula) {
-        if self.is_integer(&a) && self.is_integer(&b) {
-            let next = match &a {
-                Formula::Number(value) => Formula::Number(value + Rational::from_integer(1.into())),
-                _ => plus(a, integer(1)),
-            };
-            self.step(Fact::AtMost(next, b), Rule::Gap, &[], &[]);
+        if !self.is_integer(&b) {
+            return;
+        }
+        let normal = self.field.borrow_mut().normal(&a);
+        if let Some(value) = normal.and_then(|normal| normal.as_constant()) {
+            let next = value.clone().floor() + 1;
+            let rest = number(&from_rug(&(value + 1 - &next)));
+            let shown = plus(minus(b.clone(), a), rest);
+            let fact = Fact::AtMost(number(&from_rug(&next)), b);
+            self.step(fact, Rule::Gap, &[], &[shown]);
+        } else if self.is_integer(&a) {
+            let fact = Fact::AtMost(plus(a, integer(1)), b);
+            self.step(fact, Rule::Gap, &[], &[]);
         }
     }
 

@@ -68,6 +68,7 @@ impl Builder<'_> {
         match (function, parts) {
             (Function::Sqrt, [a]) => self.nonnegative(a),
             (Function::Ln | Function::Gamma, [a]) => self.positive(a),
+            (Function::Exp, [_]) => Some(()),
             (Function::Beta, [a, b]) => {
                 self.positive(a)?;
                 self.positive(b)

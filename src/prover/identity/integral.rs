@@ -46,9 +46,14 @@ fn put_known(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
 
 /// Evaluates the quantities inside the body.
 fn evaluate_body(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-    if !has_quantity(&r.body) {
-        return None;
+    match has_quantity(&r.body) {
+        true => evaluated(b, cx, r),
+        false => None,
     }
+}
+
+/// The integral once the quantities inside the body are evaluated, all of them.
+pub(super) fn evaluated(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     let found = rewritten(b, r, |b, _, body| evaluate(b, cx, body))?;
     match &found.0 {
         Formula::Ranged(next) if !has_quantity(&next.body) => Some(found),

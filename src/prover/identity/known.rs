@@ -64,7 +64,7 @@ impl Builder<'_> {
             Formula::Call(Function::Gamma | Function::Sqrt, parts) => {
                 parts.first().is_some_and(positive)
             }
-            Formula::Call(Function::Beta, _) => true,
+            Formula::Call(Function::Beta | Function::Exp, _) => true,
             _ => false,
         }
     }

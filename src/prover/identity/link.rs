@@ -117,7 +117,8 @@ fn squeezed(
 /// `x == y` without cases.
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
-    let ways: [Way; 4] = [same, by_definition, by_value, undefined];
+    let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
+    let ways: [Way; 5] = [same, recurrence, by_definition, by_value, undefined];
     ways.into_iter()
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }

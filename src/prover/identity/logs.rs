@@ -7,7 +7,7 @@ use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 impl Builder<'_> {
-    /// A logarithm of a product, a quotient, a power or a root.
+    /// A logarithm of a product, a quotient, a power, a root or exp.
     pub(super) fn expanded_logarithm(&mut self, e: &Formula, of: &Formula) -> Option<Step> {
         let ln = |x: &Formula| call(Function::Ln, x.clone());
         let right = match of {
@@ -31,6 +31,7 @@ impl Builder<'_> {
                 self.positive(a)?;
                 over(ln(a), integer(2))
             }
+            Formula::Call(Function::Exp, parts) => parts.first()?.clone(),
             _ => {
                 let product = Factored::of(self, of)?.written()?;
                 return self.logarithm_of(e, of, &product);

@@ -3,8 +3,11 @@
 
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate, has_quantity};
+use super::integral::evaluated;
+use super::integrand::Product;
 use super::make::{integral, map_parts, parts, replaced};
 use super::range::{body_at, on_inside, under, whole};
+use super::substitution;
 use super::weight::{continuous, scaled};
 use crate::formula::{Formula, Operator, RangeKind, Ranged};
 use crate::kernel::proof::Step;
@@ -24,7 +27,12 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
         (Formula::Ranged(r), Formula::Ranged(s))
             if r.kind == RangeKind::Integral && s.kind == RangeKind::Integral =>
         {
-            integrals(b, cx, r, s)
+            b.attempt(|b| integrals(b, cx, r, s))
+                .or_else(|| b.attempt(|b| substituted(b, cx, (x, r), y)))
+                .or_else(|| {
+                    let back = substituted(b, cx, (y, s), x)?;
+                    b.chain(&[back], x, y)
+                })
         }
         (Formula::Negate(a), Formula::Negate(c)) => {
             let step = same(b, cx, a, c)?;
@@ -66,6 +74,27 @@ fn integrals(b: &mut Builder, cx: &mut Context, r: &Ranged, s: &Ranged) -> Optio
     })?;
     let step = under(b, &whole(r), &whole(&moved), step)?;
     b.chain(&[step, back], &whole(r), &whole(s))
+}
+
+/// The first integral brought to 0..1 by the distribution function in it, be it finite or not.
+fn substituted(
+    b: &mut Builder,
+    cx: &mut Context,
+    (x, r): (&Formula, &Ranged),
+    y: &Formula,
+) -> Option<Step> {
+    if has_quantity(&r.body) {
+        let (next, first) = evaluated(b, cx, r)?;
+        let Formula::Ranged(s) = &next else {
+            return None;
+        };
+        let second = substituted(b, cx, (&next, s), y)?;
+        return b.chain(&[first, second], x, y);
+    }
+    let product = Product::of(&r.body, &r.name, &mut cx.algebra);
+    let (next, first) = substitution::to_unit(b, cx, r, &product)?;
+    let second = same(b, cx, &next, y)?;
+    b.chain(&[first, second], x, y)
 }
 
 fn bodies(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {

@@ -95,6 +95,19 @@ impl Laurent {
         Some(Laurent { form, slope, terms })
     }
 
+    /// The same sum by powers of `-u`.
+    fn turned(self, cx: &mut Context) -> Laurent {
+        let mut opposite = |e: &Formula| cx.algebra.tidy(&Formula::Negate(Box::new(e.clone())));
+        let terms = self.terms.into_iter();
+        Laurent {
+            form: opposite(&self.form),
+            slope: opposite(&self.slope),
+            terms: terms
+                .map(|(j, c)| (j, if j % 2 == 0 { c } else { opposite(&c) }))
+                .collect(),
+        }
+    }
+
     /// A primitive.
     fn primitive(&self, cx: &mut Context) -> Formula {
         let mut sum = int(0);
@@ -117,9 +130,14 @@ impl Laurent {
 
 /// The integral of a Laurent polynomial in a linear form.
 pub(super) fn laurent(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-    let laurent = Laurent::of(cx, &r.body, &r.name)?;
-    let f = laurent.primitive(cx);
+    let mut laurent = Laurent::of(cx, &r.body, &r.name)?;
     let name = r.name.clone();
+    let low = substitute(&laurent.form, &[(name.clone(), r.from.clone())]).ok()?;
+    let opposite = cx.algebra.tidy(&Formula::Negate(Box::new(low)));
+    if b.attempt(|b| b.positive(&opposite)).is_some() {
+        laurent = laurent.turned(cx);
+    }
+    let f = laurent.primitive(cx);
     let at = |x: &Name| substitute(&f, &[(name.clone(), var(x))]).ok();
     if let Some(found) = b.attempt(|b| by_primitive(b, r, &at)) {
         return Some(found);

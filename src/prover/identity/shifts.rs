@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::form::{call, integer, minus, over, plus, times};
-use crate::formula::{Formula, Function};
+use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 /// No argument is shifted further.
@@ -78,6 +78,30 @@ impl Builder<'_> {
         self.positive(&t)?;
         let fact = Fact::Same(call(Function::Gamma, s.clone()), right);
         self.step(fact, Rule::Gamma, &[], &[])
+    }
+
+    /// `gamma(s) == t*gamma(t)` or the other way round, be the two finite or not.
+    pub fn recurrence(&mut self, x: &Formula, y: &Formula) -> Option<Step> {
+        [(x, y), (y, x)].into_iter().find_map(|(left, right)| {
+            let Formula::Binary(Operator::Multiply, t, _) = right else {
+                return None;
+            };
+            self.finite(t)?;
+            self.nonzero(t)?;
+            let fact = Fact::Same(left.clone(), right.clone());
+            let step = self.step(fact, Rule::Gamma, &[], &[])?;
+            self.chain(&[step], x, y)
+        })
+    }
+
+    /// `gamma(1/2) == sqrt(pi)`
+    pub(super) fn gamma_of_half(&mut self, e: &Formula, s: &Formula) -> Option<Step> {
+        let half = over(integer(1), integer(2));
+        if *s != half {
+            return None;
+        }
+        let root = call(Function::Sqrt, Formula::Pi);
+        self.step(Fact::Same(e.clone(), root), Rule::Gamma, &[], &[])
     }
 
     /// The formula's normal form, written.

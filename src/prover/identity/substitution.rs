@@ -104,9 +104,8 @@ impl Place {
                 factors.push((moved, exponent.clone()));
             }
         }
-        let times = div(total, self.exponent.clone());
-        let times = algebra.integer(&times)?;
-        let times = algebra.tidy(&int(times));
+        let times = algebra.tidy(&div(total, self.exponent.clone()));
+        algebra.read(&times)?.as_constant()?;
         factors.push((power, times));
         let slope = mul(self.slope.clone(), self.exponent.clone());
         let c = div(product.coefficient.clone(), slope);

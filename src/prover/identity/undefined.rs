@@ -32,17 +32,33 @@ impl Builder<'_> {
                     builder.positive(&negate((**b).clone()))
                 })
                 .is_some(),
-            Formula::Call(Function::Ln, parts) => parts.first().is_some_and(|a| {
-                self.zero(a).is_some()
-                    || self
+            Formula::Call(Function::Ln, parts) => {
+                parts.first().is_some_and(|a| self.is_not_positive(a))
+            }
+            Formula::Call(Function::Gamma, parts) => parts
+                .first()
+                .is_some_and(|a| self.is_integer(a) && self.is_not_positive(a)),
+            Formula::Factorial(a) => {
+                self.is_integer(a)
+                    && self
                         .attempt(|builder| {
                             builder.finite(a)?;
-                            builder.nonnegative(&negate(a.clone()))
+                            builder.positive(&negate((**a).clone()))
                         })
                         .is_some()
-            }),
+            }
             _ => false,
         }
+    }
+
+    fn is_not_positive(&mut self, a: &Formula) -> bool {
+        self.zero(a).is_some()
+            || self
+                .attempt(|builder| {
+                    builder.finite(a)?;
+                    builder.nonnegative(&negate(a.clone()))
+                })
+                .is_some()
     }
 
     /// Makes it known that a formula is finite with the value 0.

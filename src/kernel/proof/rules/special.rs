@@ -12,9 +12,12 @@ impl<'a> Check<'a, '_> {
         let (left, right) = self.equation()?;
         let s = argument_of(left, Function::Gamma)?;
         let Formula::Binary(Multiply, t, _) = right else {
-            return reject("the rule gives t*gamma(t)");
+            let half = Formula::binary(Divide, Formula::integer(1), Formula::integer(2));
+            require(*s == half, "the rule gives t*gamma(t)")?;
+            return self.concludes(&Formula::Call(Function::Sqrt, vec![Formula::Pi]));
         };
-        self.is_positive(t)?;
+        // At a pole of the one the other has one too.
+        self.is_nonzero(t)?;
         self.is_finite(s)?;
         self.is_same(s, &Formula::binary(Add, (**t).clone(), Formula::integer(1)))?;
         let gamma = Formula::Call(Function::Gamma, vec![(**t).clone()]);
@@ -101,7 +104,11 @@ impl<'a> Check<'a, '_> {
                 self.is_positive(&parts[0])?;
                 Formula::binary(Divide, ln(&parts[0]), Formula::integer(2))
             }
-            _ => return reject("a logarithm of a product, a quotient, a power or a root"),
+            Formula::Call(Function::Exp, parts) => {
+                self.is_finite(&parts[0])?;
+                parts[0].clone()
+            }
+            _ => return reject("a logarithm of a product, a quotient, a power, a root or exp"),
         };
         self.concludes(&expanded)
     }
