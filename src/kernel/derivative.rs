@@ -2,7 +2,7 @@
 
 use super::{Unknown, unknown};
 use crate::formula::{
-    Formula, Function, Name, Operator, Part, RangeKind, free_names, is_over_draws,
+    Formula, Function, Name, Operator, Part, RangeKind, free_names, is_over_draws, substitute,
 };
 
 use Operator::{Add, Divide, Multiply, Power, Subtract};
@@ -36,8 +36,8 @@ pub fn derive(e: &Formula, x: &Name) -> Result<Formula, Unknown> {
                 return unknown("the derivative of an integral whose body moves, or may jump");
             }
             let end = |place: &Formula| {
-                let there = vec![(r.name.clone(), place.clone())];
-                let value = Formula::At(Box::new(r.body.clone()), there);
+                let value = substitute(&r.body, &[(r.name.clone(), place.clone())]);
+                let value = value.map_err(|why| Unknown(why.to_string()))?;
                 Ok(Formula::binary(Multiply, value, derive(place, x)?))
             };
             Ok(Formula::binary(Subtract, end(&r.to)?, end(&r.from)?))
@@ -84,7 +84,7 @@ fn binary(operator: Operator, a: &Formula, b: &Formula, x: &Name) -> Result<Form
     })
 }
 
-/// The derivative of `e`, a function of `a`; DLMF 4.7.1 and 4.7.4.
+/// The derivative of `e`, a function of `a`; DLMF 4.7.1, 4.7.4, 4.20.1 and 4.20.2.
 fn call(function: Function, e: &Formula, a: &Formula, da: Formula) -> Result<Formula, Unknown> {
     let times = |factor| Formula::binary(Multiply, factor, da.clone());
     Ok(match function {
@@ -94,6 +94,11 @@ fn call(function: Function, e: &Formula, a: &Formula, da: Formula) -> Result<For
             Formula::binary(Divide, da, twice)
         }
         Function::Exp => times(e.clone()),
+        Function::Sin => times(Formula::Call(Function::Cos, vec![a.clone()])),
+        Function::Cos => {
+            let sin = Formula::Call(Function::Sin, vec![a.clone()]);
+            times(Formula::Negate(Box::new(sin)))
+        }
         Function::Abs => times(Formula::binary(Divide, e.clone(), a.clone())),
         _ => return unknown("the derivative of a function without a rule"),
     })
@@ -101,7 +106,7 @@ fn call(function: Function, e: &Formula, a: &Formula, da: Formula) -> Result<For
 
 /// Whether the formula is continuous in x wherever it has finite values: it is made of operations
 /// that are so. A power with an exponent free of x is one of them: it is finite by its base's sign or
-/// by its integer exponent, the same way all over.
+/// by its integer exponent, the same way all over. So is an integral with moving ends.
 pub fn is_continuous(e: &Formula, x: &Name) -> bool {
     if is_over_draws(Part::Formula(e)) {
         return false;
@@ -117,6 +122,26 @@ pub fn is_continuous(e: &Formula, x: &Name) -> bool {
         Formula::Call(Function::Exp | Function::Ln | Function::Sqrt | Function::Abs, parts)
         | Formula::Call(Function::Sin | Function::Cos, parts)
         | Formula::Apply(_, parts) => parts.iter().all(|part| is_continuous(part, x)),
+        Formula::Ranged(r) if r.kind == RangeKind::Integral => {
+            !free_names(&r.body).contains(x) && is_continuous(&r.from, x) && is_continuous(&r.to, x)
+        }
+        _ => false,
+    }
+}
+
+/// Whether the formula is continuous in x on the whole line, given that its parts free of x have
+/// finite values.
+pub fn is_entire(e: &Formula, x: &Name) -> bool {
+    if !free_names(e).contains(x) {
+        return true;
+    }
+    match e {
+        Formula::Name(_) => true,
+        Formula::Negate(a) => is_entire(a, x),
+        Formula::Binary(Add | Subtract | Multiply, a, b) => is_entire(a, x) && is_entire(b, x),
+        Formula::Call(Function::Exp | Function::Sin | Function::Cos, parts) => {
+            parts.iter().all(|part| is_entire(part, x))
+        }
         _ => false,
     }
 }

@@ -107,6 +107,41 @@ pub(super) fn exp(x: &Rational, bits: u64) -> Result<Interval, Unknown> {
     Ok(result)
 }
 
+/// sin x by Taylor's series, DLMF 4.19.1.
+pub(super) fn sin(x: &Interval, bits: u64) -> Result<Interval, Unknown> {
+    around_middle(x, |z| {
+        Ok(&circular(z, 2, bits)? * &Interval::exact(z.clone()))
+    })
+}
+
+/// cos x by Taylor's series, DLMF 4.19.2.
+pub(super) fn cos(x: &Interval, bits: u64) -> Result<Interval, Unknown> {
+    around_middle(x, |z| circular(z, 1, bits))
+}
+
+/// 1 - z^2/(n(n+1)) + z^4/(n(n+1)(n+2)(n+3)) - ...: cos z for n = 1, sin z/z for n = 2.
+fn circular(z: &Rational, n: u32, bits: u64) -> Result<Interval, Unknown> {
+    if z.abs() > Rational::from_integer(256.into()) {
+        return unknown("sin or cos of a large number");
+    }
+    let n = Rational::from_integer(n.into());
+    let factor = |j: &Rational| {
+        let place = j + j + &n;
+        -z * z / (&place * (&place + Rational::one()))
+    };
+    series(bits, factor, |j| Some(factor(j).abs()))
+}
+
+/// The values of a function that moves no faster than its argument.
+fn around_middle(
+    x: &Interval,
+    value: impl Fn(&Rational) -> Result<Interval, Unknown>,
+) -> Result<Interval, Unknown> {
+    let middle = (x.low() + x.high()) / Rational::from_integer(2.into());
+    let radius = x.high() - &middle;
+    Ok(&value(&middle)? + &Interval::between(-&radius, radius))
+}
+
 /// The index-th root of q >= 0: exact where numerator and denominator are perfect powers, else
 /// from floor(floor(y)^(1/n)) = floor(y^(1/n)).
 pub(super) fn root(q: &Rational, index: u32, bits: u64) -> Result<Interval, Unknown> {
@@ -261,7 +296,7 @@ mod tests {
         assert!(found.high() - found.low() < ratio(1, 1 << 60) * ratio(1, 1 << 30));
     }
 
-    /// OEIS A000796, A002162, A001113, A002193, A002161.
+    /// OEIS A000796, A002162, A001113, A002193, A002161, A049469, A049470.
     #[test]
     fn constants_agree_with_their_published_digits() {
         check(&pi(128).unwrap(), "3.14159265358979323846264338327950288");
@@ -280,6 +315,15 @@ mod tests {
         check(
             &gamma(&ratio(1, 2), 128).unwrap(),
             "1.77245385090551602729816748334114518",
+        );
+        let one = Interval::integer(1);
+        check(
+            &sin(&one, 128).unwrap(),
+            "0.84147098480789650665250232163029899",
+        );
+        check(
+            &cos(&one, 128).unwrap(),
+            "0.54030230586813971740093660744297660",
         );
     }
 
@@ -319,6 +363,24 @@ mod tests {
             let width = (found.high() - found.low()) / found.low().abs();
             assert!(width < ratio(1, 1 << 60) && found.size() < size);
         }
+    }
+
+    /// The values at all numbers of an interval lie in that of the interval, and not much else does.
+    #[test]
+    fn sin_and_cos_of_intervals() {
+        let wide = Interval::between(ratio(1, 1), ratio(2, 1));
+        for (function, low, high) in [
+            (sin as fn(&Interval, u64) -> _, ratio(84, 100), ratio(1, 1)),
+            (cos, ratio(-42, 100), ratio(55, 100)),
+        ] {
+            let found: Interval = function(&wide, 64).unwrap();
+            assert!(*found.low() < low && *found.high() > high);
+            assert!(found.high() - found.low() < ratio(101, 100));
+            assert!(function(&Interval::integer(257), 64).is_err());
+            assert!(function(&Interval::integer(-256), 64).is_ok());
+        }
+        assert_eq!(sin(&Interval::integer(0), 64), Ok(Interval::integer(0)));
+        assert_eq!(cos(&Interval::integer(0), 64), Ok(Interval::integer(1)));
     }
 
     #[test]

@@ -232,6 +232,8 @@ fn of_numbers(function: Function, x: &[Interval], scope: &Scope) -> Found<Interv
             Ok(rest.iter().fold(first.clone(), |a, b| a.maximum(b)))
         }
         (Function::Exp, [x]) => Ok(x.increasing(|q| functions::exp(q, bits))?),
+        (Function::Sin, [x]) => Ok(functions::sin(x, bits)?),
+        (Function::Cos, [x]) => Ok(functions::cos(x, bits)?),
         (Function::Sqrt, [x]) => {
             let half = Interval::exact(Rational::new(1.into(), 2.into()));
             functions::power(x, &half, bits)

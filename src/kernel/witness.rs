@@ -101,21 +101,23 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
 
 /// Checks that a statement says something at a point: it is certainly in the domain with all laws
 /// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
-/// which are not proved to contradict the link.
+/// which are not proved to contradict the link. A link is given with whether its sides are known to be
+/// finite on the whole domain; then a value need not be found.
 ///
 /// # Errors
 /// [`Unknown`] with the reason where that is not proved.
 pub fn check_example(
     proposition: &Proposition,
     point: &Point,
-    links: &[usize],
+    links: &[(usize, bool)],
 ) -> Result<(), Unknown> {
-    let items = items(&proposition.statement);
+    let statement = proposition.statement.pointwise();
+    let items = items(&statement);
     at_the_point(proposition, point, |scope| {
         links
             .iter()
-            .try_for_each(|&link| match item(&items, link)? {
-                Item::Link(link) => agreement(link, scope),
+            .try_for_each(|&(link, finite)| match item(&items, link)? {
+                Item::Link(link) => agreement(link, finite, scope),
                 _ => unknown("a link that no single point has values for"),
             })
     })
@@ -290,11 +292,16 @@ fn failure((left, relation, right): &Link, scope: &Scope) -> Result<Option<Refut
     }))
 }
 
-/// Both sides have a value, and the relation between them is not seen to fail.
-fn agreement((left, relation, right): &Link, scope: &Scope) -> Result<(), Unknown> {
-    let missing = "a side without value";
-    let left = known(evaluate(left, scope), missing)?;
-    let right = known(evaluate(right, scope), missing)?;
+/// Both sides have a value, be it one that the kernel does not find where they are known to be
+/// `finite`, and the relation between them is not seen to fail.
+fn agreement((left, relation, right): &Link, finite: bool, scope: &Scope) -> Result<(), Unknown> {
+    let value = |side| match evaluate(side, scope) {
+        Err(Gap::Unknown(_)) if finite => Ok(None),
+        found => known(found, "a side without value").map(Some),
+    };
+    let (Some(left), Some(right)) = (value(left)?, value(right)?) else {
+        return Ok(());
+    };
     match relate(&left, *relation, &right, scope) {
         Ok(false) => unknown("the two sides contradict the relation"),
         _ => Ok(()),

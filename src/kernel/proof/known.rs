@@ -103,9 +103,9 @@ impl Proof<'_> {
     /// Whether a function of finite numbers has a finite value: inside its domain, on no pole.
     fn calls(&self, function: Function, parts: &[Formula]) -> Known {
         match (function, parts) {
+            (Function::Exp | Function::Sin | Function::Cos, _) => Ok(true),
             (Function::Sqrt, [a]) => self.nonnegative(a),
             (Function::Ln | Function::Gamma, [a]) => self.positive(a),
-            (Function::Exp, [_]) => Ok(true),
             (Function::Beta, [a, b]) => all!(self.positive(a), self.positive(b)),
             (Function::Binomial, [_, k]) => self.integer(k),
             (Function::Pochhammer, [_, n]) => all!(self.integer(n), self.nonnegative(n)),
@@ -337,7 +337,9 @@ impl Proof<'_> {
             return Ok(true);
         }
         match formula {
-            Formula::Negate(a) | Formula::Factorial(a) => self.undefined(a),
+            Formula::Negate(a) | Formula::Factorial(a) | Formula::Derivative(a, ..) => {
+                self.undefined(a)
+            }
             Formula::Binary(_, a, b) => Ok(self.undefined(a)? || self.undefined(b)?),
             Formula::Call(_, parts) | Formula::Apply(_, parts) => {
                 for part in parts {

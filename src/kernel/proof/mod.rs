@@ -22,7 +22,7 @@ pub use certificate::{Certificate, Flaw, Line, Script, Shown, parse, replay};
 pub use fact::Fact;
 pub use rule::Rule;
 
-pub use super::derivative::derive;
+pub use super::derivative::{derive, is_entire};
 use super::{Unknown, check_example};
 use crate::formula::{
     Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_over_draws,
@@ -249,8 +249,9 @@ impl<'p> Proof<'p> {
         self.record(fact)
     }
 
-    /// Ends the proof: each of the links is the fact of its step. The point, at which both sides of
-    /// each have a value, shows that they are not true for want of one.
+    /// Ends the proof: each of the links, as it is meant at single points, is the fact of its step.
+    /// The point, at which both sides of each have a value, shows that they are not true for want of
+    /// one; a value that the kernel does not find there must be known to be finite.
     ///
     /// # Errors
     /// [`Rejected`] where a link is not that fact, or the point shows nothing.
@@ -261,7 +262,9 @@ impl<'p> Proof<'p> {
             "the proposition names what it does not declare",
         )?;
         require(!links.is_empty(), "no link is proved")?;
-        let stated = links_of(&self.proposition.statement);
+        let statement = self.proposition.statement.pointwise();
+        let stated = links_of(&statement);
+        let mut shown = Vec::new();
         for (at, (link, step)) in links.iter().enumerate() {
             require(
                 at == 0 || links[at - 1].0 < *link,
@@ -279,10 +282,15 @@ impl<'p> Proof<'p> {
                 wanted.as_ref() == Some(&proved.fact),
                 "the step does not state the link",
             )?;
+            let finite = match &proved.fact {
+                Fact::Same(a, b) => self.finite(a)? || self.finite(b)?,
+                _ => true,
+            };
+            shown.push((*link, finite));
         }
-        let links: Vec<usize> = links.iter().map(|(link, _)| *link).collect();
-        check_example(self.proposition, example, &links)
+        check_example(self.proposition, example, &shown)
             .map_err(|Unknown(why)| Rejected(format!("the example shows nothing: {why}")))?;
+        let links = shown.into_iter().map(|(link, _)| link).collect();
         Ok(Theorem {
             proposition: self.proposition.clone(),
             links,

@@ -55,7 +55,8 @@ rules! {
     /// `a == b`, where b is a with sides of the premises exchanged. Under a binder a premise may be
     /// one proved on its range.
     Congruence "congruence" "",
-    /// `a == c` from `a == b` and `b == c`, each read in either direction.
+    /// `a == c` from `a == b` and `b == c`, each read in either direction; `a <= c` where at least one
+    /// of the premises is `b <= c` or `b < c`, `a < c` where one is `b < c`.
     Chain "chain" "",
     /// `undefined e` for a quotient by 0, `ln` of what is not positive, 0 to a negative power,
     /// `gamma(n)` for an integer n <= 0, `n!` for an integer n < 0, or anything strict with an
@@ -70,6 +71,10 @@ rules! {
     /// `int(e, x = a..b) == F[x:=b] - F[x:=a]` for `a <= b`, F the argument, from `finite F` on
     /// [a..b], `F' == e` on a..b, and `finite e` on [a..b]; F and e continuous there.
     Primitive "primitive" "DLMF 1.4(v)",
+    /// `diff(e, x) == e'`, e' the derivative of e by the rules of calculus, from `finite e` and
+    /// `finite e'` for a real variable in the place of x, each supposing at most what holds around x:
+    /// relations `<` and `!=` that hold at x, their sides continuous on the whole line.
+    Derivative "derivative" "DLMF 1.4(iii)",
     /// `int(e, x = a..b) == int(g, u = c..d)` for `a < b`, p the argument, from `finite p` on
     /// [a..b], `0 < p'` on a..b, and `e == g[u:=p]*p'` on a..b, where c and d are p at a and b.
     Substitution "substitution" "DLMF 1.4(v)",
@@ -110,8 +115,8 @@ rules! {
     Euler "euler" "DLMF 15.6.1",
     /// `hyp2f1r(a, b; c; z) == hyp2f1(a, b; c; z)/gamma(c)`, c and 1 - z positive.
     Regularized "regularized" "DLMF 15.2.2",
-    /// `gamma(s) == t*gamma(t)` where `s == t + 1` and t is nonzero; `gamma(1/2) == sqrt(pi)`.
-    Gamma "gamma" "DLMF 5.5.1, 5.4.6",
+    /// `gamma(s) == t*gamma(t)` where `s == t + 1` and t is nonzero.
+    Gamma "gamma" "DLMF 5.5.1",
     /// `n! == gamma(n + 1)` for an integer n >= 0.
     Factorial "factorial" "DLMF 5.4.1",
     /// `beta(a, b) == gamma(a)*gamma(b)/gamma(a + b)`, a and b positive.
@@ -129,6 +134,13 @@ rules! {
     /// nonzero in a quotient). `sqrt(a) == a^(1/2)`, a nonnegative.
     /// `a^p == 0` where `a == 0` and p is positive. `a^p == 1` where `a == 1`.
     Power "power" "DLMF 4.2(iv)",
+    /// `cos(x)^2 == 1 - sin(x)^2`, x finite.
+    Circle "circle" "DLMF 4.21.12",
+    /// `gamma(1/2) == sqrt(pi)`, `cos(pi) == -1`.
+    Constant "constant" "DLMF 5.4.6 and 4.17",
+    /// `min(a, b, ...) == a` for an a that is at most each of them, `max(a, b, ...) == a` for one that
+    /// is at least each.
+    Extreme "extreme" "",
     /// `a^p < b^p` for `0 <= a < b`, `a^p <= b^p` for `0 <= a <= b`, p positive.
     PowerOrder "power-order" "DLMF 4.2(iv)",
     /// `lim(mean(e, x ~ beta(p, q)), m -> s, ...) == mean(e, x ~ beta(p', q'))`, p' and q' being p and

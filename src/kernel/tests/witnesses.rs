@@ -103,7 +103,7 @@ fn expansions_wait() {
     ] {
         let text = format!("given int k\nsays {says}");
         let proposition = parse_proposition(&text).expect(says);
-        let found = check_example(&proposition, &point(&[("k", "2")]), &[0]);
+        let found = check_example(&proposition, &point(&[("k", "2")]), &[(0, false)]);
         assert_eq!(found.is_ok(), says == "k == k as k -> inf", "{says}");
     }
 }
@@ -112,7 +112,8 @@ fn expansions_wait() {
 fn examples_have_two_values_that_agree() {
     let example = |numbers: &[(&str, &str)], links: &[usize]| {
         let proposition = parse_proposition(VARIANCE).expect(VARIANCE);
-        check_example(&proposition, &point(numbers), links).is_ok()
+        let links: Vec<_> = links.iter().map(|link| (*link, false)).collect();
+        check_example(&proposition, &point(numbers), &links).is_ok()
     };
     assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[0]));
     assert!(example(&[("k", "3"), ("n", "4"), ("I", "1/2")], &[]));
@@ -123,14 +124,30 @@ fn examples_have_two_values_that_agree() {
     let text = "given real x\nsays ln(x) == ln(x) < 2 and int(1/t, t = 0..x) == inf";
     let proposition = parse_proposition(text).expect(text);
     for (x, links, holds) in [
-        ("3", vec![0, 1, 2], true),
-        ("9", vec![0, 2], true),
-        ("9", vec![0, 1], false),
-        ("0", vec![0], false),
+        ("3", vec![(0, false), (1, false), (2, false)], true),
+        ("9", vec![(0, false), (2, false)], true),
+        ("9", vec![(0, false), (1, false)], false),
+        ("9", vec![(1, true)], false),
+        ("0", vec![(0, false)], false),
+        ("0", vec![(0, true)], false),
     ] {
         let found = check_example(&proposition, &point(&[("x", x)]), &links);
         assert_eq!(found.is_ok(), holds, "{x} {links:?}");
     }
+}
+
+/// A value that the kernel does not find is one where the sides are known to be finite.
+#[test]
+fn examples_may_be_known_to_have_values() {
+    let says = "int(sqrt(t), t = 0..1) == 1/(x - 1) and int(x, x) == x^2";
+    let proposition = parse_proposition(&format!("given real x\nsays {says}")).expect(says);
+    let shows = |x: &str, link| check_example(&proposition, &point(&[("x", x)]), &[link]).is_ok();
+    assert!(shows("2", (0, true)));
+    assert!(!shows("2", (0, false)));
+    assert!(!shows("1", (0, true)));
+    // An antiderivative is judged by derivatives.
+    assert!(shows("0", (1, false)));
+    assert!(!shows("2", (1, false)));
 }
 
 #[test]

@@ -171,8 +171,17 @@ impl Builder<'_> {
             | Formula::Call(Function::Beta | Function::Binomial | Function::Pochhammer, _) => {
                 self.as_gammas(atom)
             }
+            Formula::Call(Function::Gamma, parts) => self.half_gamma(parts.first()?),
+            Formula::Call(Function::Cos, _) => {
+                let minus_one = super::form::negate(super::form::integer(1));
+                self.step(
+                    Fact::Same(atom.clone(), minus_one),
+                    Rule::Constant,
+                    &[],
+                    &[],
+                )
+            }
             Formula::Call(Function::Sqrt, _) => self.root(atom),
-            Formula::Call(Function::Gamma, parts) => self.gamma_of_half(atom, parts.first()?),
             Formula::Binary(Operator::Power, base, exponent) => {
                 self.expanded_power(atom, base, exponent)
             }

@@ -112,10 +112,13 @@ impl Builder<'_> {
         all
     }
 
-    /// `name <= root` for a name in which the factor is linear, or that has a small integer root.
+    /// `name <= root` for a name in which the factor is linear, or that has a small integer root;
+    /// `atom == 0` for a factor that is an atom.
     fn root_of(&mut self, factor: &Polynomial, symbol: &Symbol) -> Option<Fact> {
         if symbol.starts_with('@') {
-            return None;
+            let atom = self.field.borrow().formula(symbol);
+            let alone = *factor == Polynomial::symbol(symbol);
+            return alone.then(|| Fact::Same(atom, integer(0)));
         }
         let name = Formula::Name(symbol.clone());
         for root in ROOTS {

@@ -326,7 +326,13 @@ impl<'p> Builder<'p> {
             lines: self.lines.iter().map(|line| (**line).clone()).collect(),
             links,
         };
-        let pruned = prune(&whole, &self.uses);
+        // That a side is finite may stand in for its value at the example.
+        let ends = whole.links.iter().flat_map(|(_, step)| {
+            let sides = self.fact(*step).sides().into_iter();
+            let finite = sides.filter_map(|side| self.seen(&Fact::Finite(side.clone())));
+            finite.chain([*step])
+        });
+        let pruned = prune(&whole, &self.uses, ends.collect());
         [pruned, whole]
             .into_iter()
             .find(|script| script.check().is_ok())

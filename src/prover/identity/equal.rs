@@ -79,7 +79,7 @@ impl Builder<'_> {
         }
     }
 
-    /// By an equation in sight for a name as well.
+    /// By an equation in sight for a name, or one that gives a function a number, as well.
     pub(super) fn equal_by_names(
         &mut self,
         a: &Formula,
@@ -87,7 +87,11 @@ impl Builder<'_> {
         given: &[Step],
     ) -> Option<Step> {
         let steps = self.equations();
-        let named = |step: &Step| matches!(self.fact(*step), Fact::Same(Formula::Name(_), _));
+        let named = |step: &Step| match self.fact(*step) {
+            Fact::Same(Formula::Name(_), _) => true,
+            Fact::Same(Formula::Call(..), Formula::Number(_)) => true,
+            _ => false,
+        };
         let steps: Vec<Step> = steps.into_iter().filter(named).collect();
         steps
             .into_iter()

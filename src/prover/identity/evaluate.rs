@@ -4,7 +4,7 @@
 use super::Builder;
 use super::make::{map_parts, parts};
 use super::rational::Algebra;
-use super::{integral, law, limit, special, sum};
+use super::{derivative, integral, law, limit, special, sum};
 use crate::formula::{Formula, Function, Name, RangeKind};
 use crate::kernel::proof::{Fact, Step};
 use std::collections::HashMap;
@@ -55,9 +55,11 @@ fn walk(b: &mut Builder, cx: &mut Context, e: &Formula, equations: &mut Vec<Step
 /// Whether a formula is evaluated as a whole.
 pub(super) fn is_quantity(e: &Formula) -> bool {
     match e {
-        Formula::Mean(..) | Formula::Variance(..) | Formula::Density(..) | Formula::Limit(..) => {
-            true
-        }
+        Formula::Mean(..)
+        | Formula::Variance(..)
+        | Formula::Density(..)
+        | Formula::Limit(..)
+        | Formula::Derivative(..) => true,
         Formula::Ranged(r) => matches!(r.kind, RangeKind::Integral | RangeKind::Sum),
         Formula::Call(function, _) => {
             matches!(function, Function::Hyp2F1 | Function::Hyp2F1Regularized)
@@ -84,6 +86,7 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Va
         Formula::Variance(e, Some(draw)) => law::variance(b, cx, e, draw),
         Formula::Ranged(r) if r.kind == RangeKind::Integral => integral::value(b, cx, r),
         Formula::Ranged(r) => sum::value(b, cx, r),
+        Formula::Derivative(..) => derivative::value(b, cx, q),
         Formula::Limit(e, places) => limit::value(b, cx, e, places),
         Formula::Call(function, parts) => special::value(b, cx, *function, parts),
         _ => None,

@@ -40,6 +40,15 @@ impl Builder<'_> {
         self.step(Fact::Finite(e.clone()), Rule::Finite, &[], &[])
     }
 
+    /// States that a formula is finite which the step says to have this value.
+    pub fn finite_by(&mut self, value: &Formula, step: Step) -> Option<Step> {
+        let Fact::Same(e, _) = self.fact(step).clone() else {
+            return None;
+        };
+        self.finite(value)?;
+        self.step(Fact::Finite(e), Rule::Finite, &[step], &[])
+    }
+
     fn operates(&mut self, operator: Operator, a: &Formula, b: &Formula) -> Option<()> {
         match operator {
             Operator::Add | Operator::Subtract | Operator::Multiply => Some(()),
@@ -66,6 +75,7 @@ impl Builder<'_> {
 
     fn calls(&mut self, function: Function, parts: &[Formula]) -> Option<()> {
         match (function, parts) {
+            (Function::Exp | Function::Sin | Function::Cos, _) => Some(()),
             (Function::Sqrt, [a]) => self.nonnegative(a),
             (Function::Ln | Function::Gamma, [a]) => self.positive(a),
             (Function::Exp, [_]) => Some(()),

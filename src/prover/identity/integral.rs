@@ -3,14 +3,14 @@
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate, has_quantity, then};
 use super::integrand::Product;
-use super::make::{depends, integral, is_one, is_zero};
+use super::make::{depends, int, integral, is_one, is_zero};
 use super::range::{rewritten, whole};
-use super::{primitive, substitution, weight};
+use super::{disc, primitive, substitution, weight};
 use crate::formula::{Formula, Ranged, substitute};
-use crate::kernel::proof::Step;
+use crate::kernel::proof::{Fact, Rule, Step};
 
 pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-    let tactics = [put_known, evaluate_body, tidy_ends, by_shape];
+    let tactics = [of_density, put_known, evaluate_body, tidy_ends, by_shape];
     tactics.into_iter().find_map(|tactic| {
         b.attempt(|b| {
             let next = tactic(b, cx, r)?;
@@ -20,6 +20,13 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Val
             }
         })
     })
+}
+
+/// The integral of a density that is only given is 1.
+fn of_density(b: &mut Builder, _: &mut Context, r: &Ranged) -> Option<Value> {
+    let fact = Fact::Same(whole(r), int(1));
+    let step = b.step(fact, Rule::Function, &[], &[])?;
+    Some((int(1), step))
 }
 
 /// Puts the numbers that the case under way gives names.
@@ -61,10 +68,15 @@ pub(super) fn evaluated(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option
     }
 }
 
-/// Ends that are numbers by arithmetic are written as such.
+/// Ends that are numbers by arithmetic are written as such, and the least or greatest of several as
+/// the one that it is.
 fn tidy_ends(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     let mut steps = Vec::new();
     let mut tidied = |b: &mut Builder, end: &Formula| -> Option<Formula> {
+        if let Some(step) = b.extreme(end) {
+            steps.push(step);
+            return b.right(step);
+        }
         let found = number_of(cx, end);
         match found {
             Some(found) if found != *end => {
@@ -105,6 +117,11 @@ fn number_of(cx: &mut Context, e: &Formula) -> Option<Formula> {
 fn by_shape(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     if !depends(&r.body, &r.name) {
         return primitive::constant(b, r);
+    }
+    for tactic in [disc::value, primitive::sine] {
+        if let Some(found) = b.attempt(|b| tactic(b, cx, r)) {
+            return Some(found);
+        }
     }
     let product = Product::of(&r.body, &r.name, &mut cx.algebra);
     if product.is_rational(&mut cx.algebra) {

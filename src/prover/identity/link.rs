@@ -1,6 +1,7 @@
 //! The top: every link of a statement, by the cheapest way that proves it.
 
 use super::Builder;
+use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
 use super::matching::{same, unified};
 use super::unfold::{undefined, unfolded};
@@ -17,7 +18,8 @@ pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
     let mut cx = Context::default();
     let mut proved = Vec::new();
     let mut at = 0;
-    chains(&proposition.statement, &mut |first, links| {
+    let statement = proposition.statement.pointwise();
+    chains(&statement, &mut |first, links| {
         let mut left = first;
         for (relation, right) in links {
             if *relation == Relation::Equal
@@ -118,7 +120,14 @@ fn squeezed(
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
-    let ways: [Way; 5] = [same, recurrence, by_definition, by_value, undefined];
+    let ways: [Way; 6] = [
+        same,
+        recurrence,
+        by_definition,
+        by_value,
+        from_one_end,
+        undefined,
+    ];
     ways.into_iter()
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }
@@ -135,6 +144,9 @@ fn by_definition(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) ->
 fn by_value(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     let (u, first) = evaluate(b, cx, x)?;
     let (v, second) = evaluate(b, cx, y)?;
+    for (value, step) in [(&u, first), (&v, second)] {
+        b.attempt(|b| b.finite_by(value, step));
+    }
     let (w, third) = unified(b, cx, &u, &v)?;
     let middle = same(b, cx, &u, &w)?;
     b.chain(&[first, middle, third, second], x, y)

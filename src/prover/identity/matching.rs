@@ -47,7 +47,7 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
 }
 
 /// Makes it known of the integrals in a formula that they are finite, where they are continuous.
-fn settle(b: &mut Builder, e: &Formula) {
+pub(super) fn settle(b: &mut Builder, e: &Formula) {
     match e {
         Formula::Ranged(r) if r.kind == RangeKind::Integral => {
             b.attempt(|b| continuous(b, e));
@@ -135,7 +135,7 @@ pub(super) fn unified(
     Some((found, step))
 }
 
-fn integrals_of(e: &Formula, found: &mut Vec<Ranged>) {
+pub(super) fn integrals_of(e: &Formula, found: &mut Vec<Ranged>) {
     match e {
         Formula::Ranged(r) if r.kind == RangeKind::Integral => {
             if !found.contains(r) {

@@ -4,10 +4,13 @@
 //! they are finite or positive, is made known by the search for order ([`order`]); equations between
 //! finite formulas are made by [`equal`]; the tactics for integrals, sums and means rest on both.
 
+mod additive;
 mod atoms;
 mod border;
 mod bounded;
 mod builder;
+mod derivative;
+mod disc;
 mod equal;
 mod evaluate;
 mod factor;

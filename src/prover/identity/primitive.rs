@@ -3,9 +3,10 @@
 use super::Builder;
 use super::evaluate::{Context, Value};
 use super::integrand::Product;
-use super::make::{add, depends, div, int, is_one, is_zero, ln, mul, pow, sub, var};
+use super::make::{add, depends, div, int, is_one, is_zero, ln, mul, pow, replaced, sub, var};
+use super::matching::settle;
 use super::range::{body_at, on_closed, on_open, whole};
-use crate::formula::{Formula, Name, Operator, Ranged, substitute};
+use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Step, derive};
 
 /// `F[x:=b] - F[x:=a]`, F given for any name of the variable.
@@ -19,6 +20,7 @@ pub(super) fn by_primitive(
     b.nonnegative(&width)?;
     let (x, f, finite) = on_closed(b, &r.name, ends, |b, x| {
         let f = primitive(x)?;
+        settle(b, &f);
         let first = b.finite_step(&f)?;
         let second = b.finite_step(&body_at(r, x)?)?;
         Some((x.clone(), f, [first, second]))
@@ -59,6 +61,20 @@ pub(super) fn power(
         .algebra
         .tidy(&div(product.coefficient.clone(), next.clone()));
     by_primitive(b, r, &|x| Some(mul(c.clone(), pow(var(x), next.clone()))))
+}
+
+/// The integral of `c*sin(x)`.
+pub(super) fn sine(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let call = |f, x: &Name| Formula::Call(f, vec![var(x)]);
+    let mark: Name = "##".into();
+    let body = cx.algebra.tidy(&r.body);
+    let marked = replaced(&body, &call(Function::Sin, &r.name), &var(&mark));
+    let c = cx.algebra.factor(&marked, &mark)?;
+    if depends(&marked, &r.name) {
+        return None;
+    }
+    let cosine = |x: &Name| Formula::Negate(Box::new(call(Function::Cos, x)));
+    by_primitive(b, r, &|x| Some(mul(c.clone(), cosine(x))))
 }
 
 /// A sum of `c_j*u^j` for a linear form u of the variable.

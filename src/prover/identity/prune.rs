@@ -4,10 +4,10 @@ use crate::kernel::proof::{Line, Script, Step};
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// The script without the steps that its links do not rest on. `uses` lists for each step those
+/// The script without the steps that its ends do not rest on. `uses` lists for each step those
 /// that it rests on itself.
-pub(super) fn prune(script: &Script, uses: &[Rc<Vec<Step>>]) -> Script {
-    let needed = needed(script, uses);
+pub(super) fn prune(script: &Script, uses: &[Rc<Vec<Step>>], ends: Vec<Step>) -> Script {
+    let needed = needed(uses, ends);
     let mut renumbered: HashMap<Step, Step> = HashMap::new();
     let mut lines = Vec::new();
     let mut step = 0;
@@ -40,9 +40,8 @@ fn states(line: &Line) -> usize {
     }
 }
 
-fn needed(script: &Script, uses: &[Rc<Vec<Step>>]) -> Vec<bool> {
+fn needed(uses: &[Rc<Vec<Step>>], mut open: Vec<Step>) -> Vec<bool> {
     let mut needed = vec![false; uses.len()];
-    let mut open: Vec<Step> = script.links.iter().map(|(_, step)| *step).collect();
     while let Some(step) = open.pop() {
         if let Some(mark) = needed.get_mut(step).filter(|mark| !**mark) {
             *mark = true;

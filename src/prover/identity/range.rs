@@ -3,7 +3,7 @@
 use super::Builder;
 use super::evaluate::Value;
 use super::make::integral;
-use crate::formula::{Formula, Name, Operator, Ranged, substitute};
+use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Step, Variable};
 
 /// Runs `inside` for a new variable between two ends.
@@ -50,6 +50,7 @@ fn on_range<T>(
     };
     b.block(vec![variable], hypotheses.clone(), |b, _| {
         b.attempt(|b| above_zero(b, hypotheses.first()?));
+        b.attempt(|b| below_root(b, hypotheses.last()?));
         inside(b, &name)
     })
 }
@@ -71,6 +72,34 @@ fn above_zero(b: &mut Builder, lower: &Fact) -> Option<Step> {
     }
     b.nonnegative(from)?;
     b.step(Fact::AtMost(zero, x.clone()), Rule::Order, &[], &[shown])
+}
+
+/// What lies between `-sqrt(e)` and `sqrt(e)` has a square below e.
+fn below_root(b: &mut Builder, upper: &Fact) -> Option<Step> {
+    let (Fact::Less(x, root) | Fact::AtMost(x, root)) = upper else {
+        return None;
+    };
+    let Formula::Call(Function::Sqrt, parts) = root else {
+        return None;
+    };
+    let binary = Formula::binary;
+    let below = binary(Operator::Subtract, root.clone(), x.clone());
+    let above = binary(
+        Operator::Subtract,
+        x.clone(),
+        Formula::Negate(Box::new(root.clone())),
+    );
+    let product = binary(Operator::Multiply, below, above);
+    let square = binary(Operator::Power, x.clone(), Formula::integer(2));
+    let rest = binary(Operator::Subtract, parts.first()?.clone(), square);
+    let relation = |e: &Formula| match upper {
+        Fact::Less(..) => Fact::Less(Formula::integer(0), e.clone()),
+        _ => Fact::AtMost(Formula::integer(0), e.clone()),
+    };
+    b.finite(&product)?;
+    let sign = b.step(relation(&product), Rule::Order, &[], &[])?;
+    let same = b.equal(&product, &rest)?;
+    b.step(relation(&rest), Rule::Chain, &[sign, same], &[])
 }
 
 /// The body of an integral with another name for its variable.

@@ -160,6 +160,13 @@ impl Algebra {
         other.tidy(e)
     }
 
+    /// The factor of a name, where the formula is a multiple of it.
+    pub fn factor(&mut self, e: &Formula, x: &Name) -> Option<Formula> {
+        let mut powers = self.in_powers(e, x)?;
+        let only = powers.len() == 1;
+        powers.remove(&1).filter(|_| only)
+    }
+
     /// Whether the name occurs, in an atom too.
     pub fn holds(&self, p: &Polynomial, x: &Name) -> bool {
         p.symbols().iter().any(|symbol| {

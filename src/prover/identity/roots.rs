@@ -2,10 +2,10 @@
 
 use super::atoms::Equations;
 use super::builder::Builder;
-use super::form::{integer, over, plus, power, times};
+use super::form::{integer, minus, over, plus, power, times};
 use super::powers::rational_exponent;
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
-use crate::formula::Formula;
+use crate::formula::{Formula, Function};
 use crate::kernel::proof::{Fact, Rule, Step};
 use std::collections::BTreeMap;
 
@@ -50,8 +50,20 @@ impl Builder<'_> {
         self.chain(&[from, middle, to], a, b)
     }
 
-    /// `(b^(c/d))^d == b^c`
+    /// `(b^(c/d))^d == b^c`; a cosine is the root of `1 - sin(x)^2`.
     fn raised_root(&mut self, atom: &Formula) -> Option<Root> {
+        if let Formula::Call(Function::Cos, parts) = atom {
+            let sine = Formula::Call(Function::Sin, parts.clone());
+            let square = |e: &Formula| power(e.clone(), integer(2));
+            let (raised, right) = (square(atom), minus(integer(1), square(&sine)));
+            let step = self.step(Fact::Same(raised.clone(), right), Rule::Circle, &[], &[])?;
+            return Some(Root {
+                power: raised,
+                degree: 2,
+                step,
+                atom: atom.clone(),
+            });
+        }
         let (base, exponent) = rational_exponent(self, atom)?;
         let degree = exponent.denom().to_u32()?;
         let d = integer(i64::from(degree));

@@ -94,14 +94,16 @@ impl Builder<'_> {
         })
     }
 
-    /// `gamma(1/2) == sqrt(pi)`
-    pub(super) fn gamma_of_half(&mut self, e: &Formula, s: &Formula) -> Option<Step> {
-        let half = over(integer(1), integer(2));
-        if *s != half {
-            return None;
+    /// `gamma(1/2) == sqrt(pi)`, and the shift of a gamma at a greater half of an odd number.
+    pub(super) fn half_gamma(&mut self, s: &Formula) -> Option<Step> {
+        let value = self.field.borrow_mut().normal(s)?.as_constant()?;
+        (*value.denom() == 2 && value < SHIFT).then_some(())?;
+        if *value.numer() != 1 {
+            return self.shift(s);
         }
-        let root = call(Function::Sqrt, Formula::Pi);
-        self.step(Fact::Same(e.clone(), root), Rule::Gamma, &[], &[])
+        let gamma = call(Function::Gamma, over(integer(1), integer(2)));
+        let fact = Fact::Same(gamma, call(Function::Sqrt, Formula::Pi));
+        self.step(fact, Rule::Constant, &[], &[])
     }
 
     /// The formula's normal form, written.

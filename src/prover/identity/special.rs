@@ -1,12 +1,39 @@
-//! Hypergeometric functions by Euler's integral.
+//! Hypergeometric functions by Euler's integral; least and greatest numbers.
 
 use super::Builder;
 use super::evaluate::{Context, Value, then};
 use super::make::{int, integral};
 use crate::formula::{Formula, Function, Operator};
-use crate::kernel::proof::{Fact, Rule};
+use crate::kernel::proof::{Fact, Rule, Step};
 
 use Operator::{Divide, Multiply, Power, Subtract};
+
+impl Builder<'_> {
+    /// Which of its arguments `min` or `max` is.
+    pub(super) fn extreme(&mut self, e: &Formula) -> Option<Step> {
+        let Formula::Call(function @ (Function::Min | Function::Max), parts) = e else {
+            return None;
+        };
+        parts.iter().find_map(|found| {
+            self.attempt(|b| {
+                for part in parts {
+                    let distance = match function {
+                        Function::Min => minus(part, found),
+                        _ => minus(found, part),
+                    };
+                    b.finite(part)?;
+                    b.nonnegative(&distance)?;
+                }
+                b.step(
+                    Fact::Same(e.clone(), found.clone()),
+                    Rule::Extreme,
+                    &[],
+                    &[],
+                )
+            })
+        })
+    }
+}
 
 /// The value of a hypergeometric function.
 pub(super) fn value(

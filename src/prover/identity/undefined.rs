@@ -12,7 +12,9 @@ impl Builder<'_> {
             return Some(());
         }
         match e {
-            Formula::Negate(a) | Formula::Factorial(a) => self.undefined(a),
+            Formula::Negate(a) | Formula::Factorial(a) | Formula::Derivative(a, ..) => {
+                self.undefined(a)
+            }
             Formula::Binary(_, a, b) => self.undefined(a).or_else(|| self.undefined(b)),
             Formula::Call(_, parts) | Formula::Apply(_, parts) => {
                 parts.iter().find_map(|part| self.undefined(part))

@@ -109,16 +109,32 @@ impl Check<'_, '_> {
     }
 
     pub(super) fn chain(&self) -> Checked {
-        let (a, b) = self.equation()?;
-        let mut reached = a;
+        let (Fact::Same(a, b) | Fact::AtMost(a, b) | Fact::Less(a, b)) = self.fact else {
+            return reject("the rule concludes an equation or an order");
+        };
+        // The sides of an order are finite; an equation alone does not say so.
+        let (mut reached, mut ordered, mut strict) = (a, false, false);
         for index in 0..self.premises.len() {
-            reached = match self.plain(index)? {
-                Fact::Same(from, to) if from == reached => to,
+            let premise = self.plain(index)?;
+            reached = match premise {
+                Fact::Same(from, to) | Fact::AtMost(from, to) | Fact::Less(from, to)
+                    if from == reached =>
+                {
+                    to
+                }
                 Fact::Same(to, from) if from == reached => to,
                 _ => return reject("the premises do not join"),
             };
+            ordered |= !matches!(premise, Fact::Same(..));
+            strict |= matches!(premise, Fact::Less(..));
         }
-        require(reached == b, "the premises end elsewhere")
+        require(reached == b, "the premises end elsewhere")?;
+        let says = match self.fact {
+            Fact::Same(..) => !ordered,
+            Fact::AtMost(..) => ordered,
+            _ => strict,
+        };
+        require(says, "the premises say something else")
     }
 
     pub(super) fn none(&self) -> Checked {

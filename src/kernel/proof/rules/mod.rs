@@ -2,6 +2,7 @@
 //! says nothing but yes or why not.
 
 mod congruence;
+mod derivative;
 mod integral;
 mod law;
 mod logic;
@@ -55,6 +56,7 @@ impl Proof<'_> {
             Rule::Compute => check.compute(),
             Rule::Cases => check.cases(),
             Rule::Primitive => check.primitive(),
+            Rule::Derivative => check.derivative(),
             Rule::Substitution => check.substitution(),
             Rule::Scale => check.scale(),
             Rule::Split => check.split(),
@@ -75,6 +77,9 @@ impl Proof<'_> {
             Rule::Pochhammer => check.pochhammer(),
             Rule::Logarithm => check.logarithm(),
             Rule::Power => check.power(),
+            Rule::Circle => check.circle(),
+            Rule::Constant => check.constant(),
+            Rule::Extreme => check.extreme(),
             Rule::PowerOrder => check.power_order(),
             Rule::Limit => check.limit(),
             Rule::Function => check.function(),

@@ -1,4 +1,4 @@
-//! The rules of Gamma and its kin, of powers and of logarithms.
+//! The rules of Gamma and its kin, of powers and logarithms, and of other functions.
 
 use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
@@ -12,9 +12,7 @@ impl<'a> Check<'a, '_> {
         let (left, right) = self.equation()?;
         let s = argument_of(left, Function::Gamma)?;
         let Formula::Binary(Multiply, t, _) = right else {
-            let half = Formula::binary(Divide, Formula::integer(1), Formula::integer(2));
-            require(*s == half, "the rule gives t*gamma(t)")?;
-            return self.concludes(&Formula::Call(Function::Sqrt, vec![Formula::Pi]));
+            return reject("the rule gives t*gamma(t)");
         };
         // At a pole of the one the other has one too.
         self.is_nonzero(t)?;
@@ -191,6 +189,43 @@ impl<'a> Check<'a, '_> {
         }
         require(self.is_one(base)?, "a power of what is neither 0 nor 1")?;
         self.concludes(&Formula::integer(1))
+    }
+
+    pub(super) fn circle(&self) -> Checked {
+        let two = Formula::integer(2);
+        let Formula::Binary(Power, cos, order) = self.equation()?.0 else {
+            return reject("the rule is for a square");
+        };
+        require(**order == two, "the rule is for a square")?;
+        let x = argument_of(cos, Function::Cos)?;
+        self.is_finite(x)?;
+        let sin = Formula::Call(Function::Sin, vec![x.clone()]);
+        self.concludes(&minus(
+            &Formula::integer(1),
+            &Formula::binary(Power, sin, two),
+        ))
+    }
+
+    pub(super) fn constant(&self) -> Checked {
+        let known = ["gamma(1/2) == sqrt(pi)", "cos(pi) == -1"];
+        let mut known = known.into_iter().map(Fact::parse);
+        let own = Ok(self.fact.clone());
+        require(known.any(|fact| fact == own), "no such constant")
+    }
+
+    pub(super) fn extreme(&self) -> Checked {
+        let (left, right) = self.equation()?;
+        let Formula::Call(function @ (Function::Min | Function::Max), parts) = left else {
+            return reject("the rule is for min and max");
+        };
+        require(parts.contains(right), "it is none of the arguments")?;
+        parts.iter().try_for_each(|part| {
+            self.is_finite(part)?;
+            match function {
+                Function::Min => self.is_nonnegative(&above(right, part)),
+                _ => self.is_nonnegative(&above(part, right)),
+            }
+        })
     }
 
     pub(super) fn power_order(&self) -> Checked {

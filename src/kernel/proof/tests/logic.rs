@@ -36,10 +36,14 @@ fn finite_and_integer() {
     yes("9: finite hyp2f1(y, y; x; 1/2) + hyp2f1r(y, y; x; -2) | finite");
     yes("9: finite x^y + y^x + y^k + x^(-k) + [x < y] | finite");
     yes("9: finite f(1/2) + f(0) + f(1) | finite");
+    yes("9: finite exp(y) + sin(y) + cos(y) | finite");
     for (bad, reason) in [
         ("1/y", ""),
         ("sqrt(-x)", ""),
         ("ln(y)", ""),
+        ("exp(1/y)", ""),
+        ("sin(1/y)", ""),
+        ("cos(1/y)", ""),
         ("gamma(y)", ""),
         ("beta(x, y)", ""),
         ("beta(y, x)", ""),
@@ -251,9 +255,29 @@ fn chains() {
     no(&format!("{block}9: f(x) == k | chain 5 6"), "end elsewhere");
     no(&format!("{block}9: f(x) == y | chain 3"), "do not join");
     no(
-        &format!("{block}9: x < y | chain 5"),
-        "concludes an equation",
+        &format!("{block}9: f(x) <= y | chain 5"),
+        "say something else",
     );
+    no(&format!("{block}9: x <= x | chain"), "say something else");
+    no(&format!("{block}9: x != y | chain 5"), "concludes an");
+}
+
+#[test]
+fn chains_of_order() {
+    let block = "{ | 5: f(x) == x | 6: x < y | 7: y <= k | 8: k == h(x)\n";
+    yes(&format!("{block}9: f(x) < h(x) | chain 5 6 7 8"));
+    yes(&format!("{block}9: f(x) <= h(x) | chain 5 6 7 8"));
+    yes(&format!("{block}9: x < k | chain 6 7"));
+    yes(&format!("{block}9: y <= h(x) | chain 7 8"));
+    no(
+        &format!("{block}9: y < h(x) | chain 7 8"),
+        "say something else",
+    );
+    no(&format!("{block}9: x == y | chain 6"), "say something else");
+    no(&format!("{block}9: y == k | chain 7"), "say something else");
+    no(&format!("{block}9: y < x | chain 6"), "do not join");
+    no(&format!("{block}9: k <= y | chain 7"), "do not join");
+    no(&format!("{block}9: f(x) < k | chain 5 6"), "end elsewhere");
 }
 
 #[test]
@@ -265,12 +289,14 @@ fn what_has_no_value() {
     yes("9: undefined ln(k - k) | none");
     yes("9: undefined (k - k)^(-k) | none");
     yes("9: undefined f(1/0) | none");
+    yes("9: undefined diff(x/(k - k), x) | none");
     yes("{ | 5: y == 0\n9: undefined x/y | none");
     yes("{ | 5: 0 == y\n9: undefined ln(y) | none");
     yes("{ | 5: undefined h(x)\n9: undefined h(x) + 1 | none");
     yes("9: 1/(x - x) == ln(-y) | none");
     no("9: undefined 1/y | none", "without value");
     no("9: undefined ln(y) | none", "without value");
+    no("9: undefined diff(x/y, x) | none", "without value");
     no("9: undefined (k - k)^k | none", "without value");
     no("9: undefined (k - k)^(-y) | none", "without value");
     no("9: undefined y^(-k) | none", "without value");

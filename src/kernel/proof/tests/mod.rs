@@ -5,6 +5,7 @@
 
 mod attacks;
 mod certificates;
+mod derivatives;
 mod integrals;
 mod logic;
 mod special;

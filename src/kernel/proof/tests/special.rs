@@ -226,3 +226,39 @@ fn the_order_of_powers() {
     no("9: b^2 == b^2 | power-order", "an order");
     no("9: b <= b + 1 | power-order", "two powers");
 }
+
+#[test]
+fn the_circle() {
+    yes("9: cos(p)^2 == 1 - sin(p)^2 | circle");
+    yes("9: cos(1/a)^2 == 1 - sin(1/a)^2 | circle");
+    no("9: cos(1/p)^2 == 1 - sin(1/p)^2 | circle", "finite");
+    no("9: cos(p)^2 == 1 - sin(a)^2 | circle", "the rule gives");
+    no("9: cos(p)^3 == 1 - sin(p)^2 | circle", "for a square");
+    no("9: sin(p)^2 == 1 - sin(p)^2 | circle", "for cos");
+    no("9: 2*cos(p) == 1 - sin(p)^2 | circle", "for a square");
+    no("9: cos(p)^2 <= 1 - sin(p)^2 | circle", "an equation");
+}
+
+#[test]
+fn constants() {
+    yes("9: gamma(1/2) == sqrt(pi) | constant");
+    yes("9: cos(pi) == -1 | constant");
+    no("9: cos(pi) == 1 | constant", "no such");
+    no("9: gamma(1/2) == pi | constant", "no such");
+    no("9: sin(pi) == 0 | constant", "no such");
+}
+
+#[test]
+fn the_least_and_the_greatest() {
+    yes("9: min(0, a) == 0 | extreme");
+    yes("9: max(0, a) == a | extreme");
+    yes("9: min(b + 1, 0, b) == 0 | extreme");
+    yes("9: max(b, b + 1, 0) == b + 1 | extreme");
+    no("9: min(0, a) == a | extreme", "nonnegative");
+    no("9: max(0, a) == 0 | extreme", "nonnegative");
+    no("9: min(0, p) == 0 | extreme", "nonnegative");
+    no("9: max(b, p, 0) == b | extreme", "nonnegative");
+    no("9: min(a, b + 1) == 0 | extreme", "none of the arguments");
+    no("9: min(0, 1/p) == 0 | extreme", "finite");
+    no("9: abs(a) == a | extreme", "min and max");
+}

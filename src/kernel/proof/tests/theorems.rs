@@ -95,6 +95,65 @@ fn a_mean_over_a_beta_law() {
     );
 }
 
+/// An equation with an antiderivative is one of derivatives.
+#[test]
+fn an_antiderivative() {
+    let text = "theorem
+        given real x
+        domain x > 0
+        says 2*ln(x) == int(2/x, x)
+        example x = 1
+        proof
+        1: 0 < x | given
+        { t real | 2: 0 < t
+          3: finite 2*ln(t) | finite
+          4: finite 2*(1/t) | finite
+        }
+        5: diff(2*ln(x), x) == 2*(1/x) | derivative 3 4
+        6: 2*(1/x) == 2/x | ring
+        7: diff(2*ln(x), x) == 2/x | chain 5 6
+        8: 2*ln(x) == 2*ln(x) | chain
+        qed 7";
+    proves(text);
+    for (old, new, why) in [
+        ("qed 7", "qed 8", "does not state the link"),
+        (
+            "== int(2/x, x)",
+            "== x*int(2/x, x)",
+            "does not state the link",
+        ),
+        ("example x = 1", "example x = 0", "not in the domain"),
+    ] {
+        let flaw = replay(&text.replace(old, new)).expect_err(new);
+        assert!(flaw.to_string().contains(why), "{new}: {flaw}");
+    }
+}
+
+/// A value that the kernel does not find at the example is one where a side is known to be finite.
+#[test]
+fn an_example_without_values() {
+    let text = "theorem
+        says sqrt(int(sqrt(t), t = 0..1)^2) == (int(sqrt(t), t = 0..1)^2)^(1/2)
+        example
+        proof
+        { t real | 1: 0 <= t | 2: t <= 1
+          3: finite sqrt(t) | finite
+        }
+        4: finite int(sqrt(t), t = 0..1) | continuous 3
+        5: sqrt(int(sqrt(t), t = 0..1)^2) == (int(sqrt(t), t = 0..1)^2)^(1/2) | power
+        qed 5";
+    proves(text);
+    // Both sides have the same value, but it is not known to be one.
+    let open = "theorem
+        says int(sqrt(t), t = 0..1) == int(sqrt(s), s = 0..1)
+        example
+        proof
+        1: int(sqrt(t), t = 0..1) == int(sqrt(s), s = 0..1) | congruence
+        qed 1";
+    let flaw = replay(open).expect_err("no value");
+    assert!(flaw.to_string().contains("shows nothing"), "{flaw}");
+}
+
 /// The same, step by step: what the facts are, what they rest on, and where a proof ends.
 #[test]
 fn a_proof_step_by_step() {
