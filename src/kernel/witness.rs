@@ -101,7 +101,8 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
 
 /// Checks that a statement says something at a point: it is certainly in the domain with all laws
 /// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
-/// which are not proved to contradict the link.
+/// which are not proved to contradict the link. For a law that is not given, one that has all the
+/// means is enough: they are finite for the uniform law on 0..1 where the two sides are.
 ///
 /// # Errors
 /// [`Unknown`] with the reason where that is not proved.
@@ -111,11 +112,17 @@ pub fn check_example(
     links: &[usize],
 ) -> Result<(), Unknown> {
     let items = items(&proposition.statement);
-    at_the_point(proposition, point, |scope| {
+    let mut given = proposition.clone();
+    let mut any = false;
+    for draw in given.draws.iter_mut().filter(|d| d.law == Law::Any) {
+        draw.law = Law::Uniform(Formula::integer(0), Formula::integer(1));
+        any = true;
+    }
+    at_the_point(&given, point, |scope| {
         links
             .iter()
             .try_for_each(|&link| match item(&items, link)? {
-                Item::Link(link) => agreement(link, scope),
+                Item::Link(link) => agreement(link, any, scope),
                 _ => unknown("a link that no single point has values for"),
             })
     })
@@ -290,11 +297,16 @@ fn failure((left, relation, right): &Link, scope: &Scope) -> Result<Option<Refut
     }))
 }
 
-/// Both sides have a value, and the relation between them is not seen to fail.
-fn agreement((left, relation, right): &Link, scope: &Scope) -> Result<(), Unknown> {
+/// Both sides have a value, a number where that is asked for, and the relation between them is not
+/// seen to fail.
+fn agreement((left, relation, right): &Link, numbers: bool, scope: &Scope) -> Result<(), Unknown> {
     let missing = "a side without value";
     let left = known(evaluate(left, scope), missing)?;
     let right = known(evaluate(right, scope), missing)?;
+    if numbers {
+        left.clone().number()?;
+        right.clone().number()?;
+    }
     match relate(&left, *relation, &right, scope) {
         Ok(false) => unknown("the two sides contradict the relation"),
         _ => Ok(()),

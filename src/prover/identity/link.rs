@@ -2,6 +2,7 @@
 
 use super::Builder;
 use super::evaluate::{Context, evaluate};
+use super::linear::linear;
 use super::matching::{same, unified};
 use super::unfold::{undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
@@ -117,9 +118,17 @@ fn squeezed(
 /// `x == y` without cases.
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
-    let ways: [Way; 4] = [same, by_definition, by_value, undefined];
+    let ways: [Way; 5] = [same, by_linearity, by_definition, by_value, undefined];
     ways.into_iter()
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
+}
+
+/// Both sides with constants taken out of their means and variances, then compared part by part.
+fn by_linearity(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let (u, first) = linear(b, cx, x)?;
+    let (v, last) = linear(b, cx, y)?;
+    let middle = same(b, cx, &u, &v)?;
+    b.chain(&[first, middle, last], x, y)
 }
 
 /// Both sides with means, variances and densities unfolded, then compared part by part.
