@@ -102,7 +102,8 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
 /// Checks that a statement says something at a point: it is certainly in the domain with all laws
 /// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
 /// which are not proved to contradict the link. A link is given with whether its sides are known to be
-/// finite on the whole domain; then a value need not be found.
+/// finite on the whole domain; then a value need not be found. For a law that is not given, one that
+/// has all the means is enough: they are finite for the uniform law on 0..1 where the two sides are.
 ///
 /// # Errors
 /// [`Unknown`] with the reason where that is not proved.
@@ -113,10 +114,17 @@ pub fn check_example(
 ) -> Result<(), Unknown> {
     let statement = proposition.statement.pointwise();
     let items = items(&statement);
-    at_the_point(proposition, point, |scope| {
+    let mut given = proposition.clone();
+    let mut any = false;
+    for draw in given.draws.iter_mut().filter(|d| d.law == Law::Any) {
+        draw.law = Law::Uniform(Formula::integer(0), Formula::integer(1));
+        any = true;
+    }
+    at_the_point(&given, point, |scope| {
         links
             .iter()
             .try_for_each(|&(link, finite)| match item(&items, link)? {
+                Item::Link(link) if any => agreement_of_numbers(link, scope),
                 Item::Link(link) => agreement(link, finite, scope),
                 _ => unknown("a link that no single point has values for"),
             })
@@ -306,6 +314,14 @@ fn agreement((left, relation, right): &Link, finite: bool, scope: &Scope) -> Res
         Ok(false) => unknown("the two sides contradict the relation"),
         _ => Ok(()),
     }
+}
+
+/// Both sides are numbers, and the relation between them is not seen to fail.
+fn agreement_of_numbers(link: &Link, scope: &Scope) -> Result<(), Unknown> {
+    for side in [&link.0, &link.2] {
+        known(evaluate(side, scope), "a side without value")?.number()?;
+    }
+    agreement(link, false, scope)
 }
 
 /// The refutation of a duty: the failure of one of the relations that it means. A place without

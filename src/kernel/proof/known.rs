@@ -5,10 +5,9 @@
 //! for that first. A fact `a < b` says that everything equal to `b - a` as a rational function is
 //! positive, so `k - 1` is positive where `1 < k` is in sight.
 
-use super::{Fact, Proof, Proved, Rejected, Step};
+use super::{Fact, Proof, Proved, Rejected, Step, links_of};
 use crate::formula::{
-    Condition, Formula, Function, FunctionKind, Name, Operator, ParameterKind, Part, Rational,
-    Relation,
+    Formula, Function, FunctionKind, Law, Name, Operator, ParameterKind, Part, Rational, free_names,
 };
 use num_traits::{Signed, Zero};
 
@@ -82,7 +81,50 @@ impl Proof<'_> {
             }
             Formula::Apply(name, parts) => self.applies(name, parts),
             Formula::Indicator(condition) => self.compares(Part::Condition(condition)),
+            Formula::Mean(e, None) | Formula::Variance(e, None) if self.is_supposed(formula, e)? => {
+                Ok(true)
+            }
             _ => self.sees_fact(&Fact::Finite(formula.clone())),
+        }
+    }
+
+    /// Whether a mean or variance is finite by the law `any`: it occurs in the statement, outside of all
+    /// binders, and is that of a polynomial in such draws.
+    fn is_supposed(&self, mean: &Formula, e: &Formula) -> Known {
+        let names = free_names(e);
+        let draws = self.proposition.draws.iter();
+        let drawn: Vec<_> = draws.filter(|d| names.contains(&d.name)).collect();
+        let any = !drawn.is_empty() && drawn.iter().all(|draw| draw.law == Law::Any);
+        let occurs = links_of(&self.proposition.statement).is_some_and(|links| {
+            let mut sides = links.into_iter().flat_map(|(a, _, b)| [a, b]);
+            sides.any(|side| occurs(mean, Part::Formula(side)))
+        });
+        let drawn: Vec<&Name> = drawn.into_iter().map(|draw| &draw.name).collect();
+        Ok(any && occurs && self.polynomial(e, &drawn)?)
+    }
+
+    /// Whether a formula is a polynomial in the names with finite coefficients: a number, whatever
+    /// numbers they are.
+    fn polynomial(&self, e: &Formula, names: &[&Name]) -> Known {
+        match e {
+            Formula::Name(name) if names.contains(&name) => Ok(true),
+            Formula::Negate(a) => self.polynomial(a, names),
+            Formula::Binary(Operator::Add | Operator::Subtract | Operator::Multiply, a, b) => {
+                all!(self.polynomial(a, names), self.polynomial(b, names))
+            }
+            Formula::Binary(Operator::Power, a, n) if matches!(**n, Formula::Number(_)) => {
+                all!(
+                    self.polynomial(a, names),
+                    self.integer(n),
+                    self.nonnegative(n)
+                )
+            }
+            // A mean is taken of its draws; it has none left.
+            Formula::Mean(_, None) | Formula::Variance(_, None) => self.finite(e),
+            _ => {
+                let moves = names.iter().any(|name| free_names(e).contains(*name));
+                all!(Ok::<_, Rejected>(!moves), self.finite(e))
+            }
         }
     }
 
@@ -372,6 +414,15 @@ pub(super) fn minus(a: &Formula, b: &Formula) -> Formula {
     Formula::binary(Operator::Subtract, a.clone(), b.clone())
 }
 
+/// Whether a formula is a part of another, outside of all binders.
+fn occurs(formula: &Formula, part: Part) -> bool {
+    let mut found = matches!(part, Part::Formula(other) if other == formula);
+    part.each(&mut |inner, bound| {
+        found = found || (bound.is_empty() && occurs(formula, inner));
+    });
+    found
+}
+
 fn one_minus(z: &Formula) -> Formula {
     minus(&Formula::integer(1), z)
 }
@@ -381,10 +432,4 @@ fn is_even(exponent: &Formula) -> bool {
         Formula::Number(value) => (value / Rational::from_integer(2.into())).is_integer(),
         _ => false,
     }
-}
-
-/// The condition `a < x < b`, as an indicator has it.
-pub(super) fn strictly_between(a: &Formula, x: &Formula, b: &Formula) -> Condition {
-    let links = vec![(Relation::Less, x.clone()), (Relation::Less, b.clone())];
-    Condition::Chain(a.clone(), links)
 }

@@ -65,6 +65,9 @@ rules! {
     /// `e == q` for a formula without names whose value is the number q; `undefined e` for one
     /// without value.
     Compute "compute" "",
+    /// `[C] == 1` and `if(C, a, b) == a` where all relations of C hold, `[C] == 0` and `if(C, a, b) == b`
+    /// where one of them fails; their sides finite, C made of chains and `and`.
+    Decide "decide" "",
     /// Anything from the same fact proved in a block that supposes P and in one that supposes not P,
     /// P a relation of finite numbers.
     Cases "cases" "",
@@ -79,24 +82,26 @@ rules! {
     /// [a..b], `0 < p'` on a..b, and `e == g[u:=p]*p'` on a..b, where c and d are p at a and b.
     Substitution "substitution" "DLMF 1.4(v)",
     /// `int(c*e, x = a..b) == c*int(e, x = a..b)`, c finite and free of x, and c nonzero or the integral
-    /// on the right finite.
+    /// on the right finite; the same with `mean(.., x ~ LAW)`.
     Scale "scale" "DLMF 1.4(v)",
     /// `int(e + g, x = a..b) == int(e, x = a..b) + int(g, x = a..b)` where the two on the right are
-    /// finite; the same with `-`.
+    /// finite; the same with `-`, and with `mean(.., x ~ LAW)`.
     Split "split" "DLMF 1.4(v)",
     /// `finite int(e, x = a..b)` for `a <= b`, from `finite e` on [a..b]; e continuous there.
     Continuous "continuous" "DLMF 1.4(v)",
     /// `int(e, x = a..b) == inf` for `a < b`, g the argument, from `finite g` on [a..b],
     /// `e == g/(x - a)` on a..b, and `0 <= g` on a..b; g continuous, and positive at a.
     Diverges "diverges" "comparison with the integral of 1/(x - a)",
-    /// `int([a < x < b]*e, x = c..d) == int(e, x = a..b)` for `c <= a < b <= d`, from `finite e`
-    /// on c..d.
-    Indicator "indicator" "",
+    /// `int(e, x = c..d) == int(g, x = a..b)` for `c <= a <= b <= d`, from `e == g` on a..b, `e == 0` on
+    /// c..a unless c is a, and `e == 0` on b..d unless b is d.
+    Support "support" "DLMF 1.4(v)",
     /// `sum(e, j = a..b) == G[j:=b + 1] - G[j:=a]` for integers with `a <= b + 1`, G the argument,
     /// from `e == G[j:=j + 1] - G` on [a..b] and `finite G` on [a..b + 1], both for an integer j.
     Telescope "telescope" "",
     /// `mean(e) == mean(e, x ~ LAW)`, `var(e) == var(e, x ~ LAW)` for the only draw in e.
     Draw "draw" "",
+    /// `prob(C) == mean([C])`, `prob(C, x ~ LAW) == mean([C], x ~ LAW)`.
+    Probability "probability" "",
     /// `mean(e, x ~ LAW) == int(f*e, x = a..b)` and, for a draw X and `a <= t <= b`,
     /// `density(X, t) == f[x:=t]`, f the density of the law and a..b its support: for `beta(p, q)`,
     /// p and q positive, `x^(p - 1)*(1 - x)^(q - 1)/beta(p, q)` on 0..1; for `uniform(a, b)`,
@@ -105,8 +110,11 @@ rules! {
     /// or given by its density, `m!/((l - 1)!*(m - l)!)*F^(l - 1)*(1 - F)^(m - l)*f`, F being
     /// `(x - a)/(b - a)` or `int(f, s = a..x)`.
     Density "density" "David & Nagaraja, Order Statistics, 2.1.6",
-    /// `var(e, x ~ LAW) == mean(e^2, x ~ LAW) - mean(e, x ~ LAW)^2`; `undefined var(e, x ~ LAW)` from
-    /// `mean(e, x ~ LAW) == inf`.
+    /// `var(e, x ~ LAW) == mean(e^2, x ~ LAW) - mean(e, x ~ LAW)^2`; `var(e, x ~ LAW) ==
+    /// mean((e - mean(e, x ~ LAW))^2, x ~ LAW)` where the mean of e is finite and the LAW free of x;
+    /// `var(e + c, x ~ LAW) == var(e, x ~ LAW)`, the same with `c + e` and `e - c`, c finite and free of x;
+    /// `var(c*e, x ~ LAW) == c^2*var(e, x ~ LAW)`, c finite and free of x, and c nonzero or the variance on
+    /// the right finite; `undefined var(e, x ~ LAW)` from `mean(e, x ~ LAW) == inf`.
     Variance "variance" "",
     /// `beta(a, b) == int(x^(a - 1)*(1 - x)^(b - 1), x = 0..1)`, a and b positive.
     BetaIntegral "beta-integral" "DLMF 5.12.1",
@@ -147,7 +155,8 @@ rules! {
     /// q with the targets in the place of the names: p, q polynomials, p', q' positive, e free of the
     /// names, from `finite e` on [0..1]; e continuous there.
     Limit "limit" "Scheffe's lemma: the beta densities converge in the mean",
-    /// `int(f(s), s = a..b) == 1` for `fn f(x) density on a..b`.
+    /// `int(f(s), s = a..b) == 1` for `fn f(x) density on a..b`; `finite int(f(s), s = a..b)` for
+    /// `fn f(x) integrable on a..b`.
     Function "function" "",
 }
 

@@ -150,6 +150,29 @@ fn examples_may_be_known_to_have_values() {
     assert!(!shows("2", (1, false)));
 }
 
+/// For a law that is not given an example has one, under which the sides are numbers; a refutation
+/// would need all laws.
+#[test]
+fn examples_of_a_law_that_is_not_given() {
+    for (law, says, shown) in [
+        ("any", "var(X) == mean(X^2) - mean(X)^2", true),
+        ("any", "mean(X) == 2", false),
+        ("any", "mean(1/X) == mean(2/X)", false),
+        ("any", "mean(X) < mean(1/X)", false),
+        ("any", "mean(1/X) > mean(X)", false),
+        ("uniform(0, 1)", "mean(1/X) == mean(2/X)", true),
+        ("uniform(0, 1)", "mean(X) < mean(1/X)", true),
+    ] {
+        let text = format!("draw X ~ {law}\nsays {says}");
+        let proposition = parse_proposition(&text).expect(&text);
+        let found = check_example(&proposition, &point(&[]), &[(0, true)]);
+        assert_eq!(found.is_ok(), shown, "{text}");
+        if law == "any" {
+            assert!(check(&text, &[], 0).is_err(), "{text}");
+        }
+    }
+}
+
 #[test]
 fn definitions_have_duties() {
     let duty = |text: &str, link| check(&format!("says {text}"), &[], link);

@@ -55,11 +55,8 @@ fn walk(b: &mut Builder, cx: &mut Context, e: &Formula, equations: &mut Vec<Step
 /// Whether a formula is evaluated as a whole.
 pub(super) fn is_quantity(e: &Formula) -> bool {
     match e {
-        Formula::Mean(..)
-        | Formula::Variance(..)
-        | Formula::Density(..)
-        | Formula::Limit(..)
-        | Formula::Derivative(..) => true,
+        Formula::Mean(..) | Formula::Variance(..) | Formula::Probability(..) => true,
+        Formula::Density(..) | Formula::Limit(..) | Formula::Derivative(..) => true,
         Formula::Ranged(r) => matches!(r.kind, RangeKind::Integral | RangeKind::Sum),
         Formula::Call(function, _) => {
             matches!(function, Function::Hyp2F1 | Function::Hyp2F1Regularized)
@@ -81,7 +78,9 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Va
         return Some((found.clone(), step));
     }
     let found = b.attempt(|b| match q {
-        Formula::Mean(_, None) | Formula::Variance(_, None) => law::drawn(b, cx, q),
+        Formula::Mean(_, None) | Formula::Variance(_, None) | Formula::Probability(..) => {
+            law::drawn(b, cx, q)
+        }
         Formula::Mean(_, Some(_)) | Formula::Density(..) => law::mean(b, cx, q),
         Formula::Variance(e, Some(draw)) => law::variance(b, cx, e, draw),
         Formula::Ranged(r) if r.kind == RangeKind::Integral => integral::value(b, cx, r),

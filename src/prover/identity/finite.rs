@@ -78,7 +78,6 @@ impl Builder<'_> {
             (Function::Exp | Function::Sin | Function::Cos, _) => Some(()),
             (Function::Sqrt, [a]) => self.nonnegative(a),
             (Function::Ln | Function::Gamma, [a]) => self.positive(a),
-            (Function::Exp, [_]) => Some(()),
             (Function::Beta, [a, b]) => {
                 self.positive(a)?;
                 self.positive(b)

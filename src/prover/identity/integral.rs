@@ -5,12 +5,22 @@ use super::evaluate::{Context, Value, evaluate, has_quantity, then};
 use super::integrand::Product;
 use super::make::{depends, int, integral, is_one, is_zero};
 use super::range::{rewritten, whole};
+use super::substitution::by_argument;
+use super::support::narrowed;
 use super::{disc, primitive, substitution, weight};
 use crate::formula::{Formula, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-    let tactics = [of_density, put_known, evaluate_body, tidy_ends, by_shape];
+    let tactics = [
+        of_density,
+        put_known,
+        evaluate_body,
+        narrowed,
+        tidy_ends,
+        by_argument,
+        by_shape,
+    ];
     tactics.into_iter().find_map(|tactic| {
         b.attempt(|b| {
             let next = tactic(b, cx, r)?;

@@ -3,6 +3,7 @@
 use super::Builder;
 use super::evaluate::{Context, Value, then, value};
 use super::make::{int, integral};
+use super::matching::map_quantities;
 use super::range::on_open;
 use super::special::beta_weight;
 use crate::formula::{Draw, Formula, Function, Law, Name, Operator, free_names, substitute};
@@ -16,22 +17,61 @@ pub(super) fn drawn(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Va
     then(b, cx, q, (next, step))
 }
 
-/// The same mean or variance with a draw of its own.
+/// The same mean or variance with a draw of its own; a probability as a mean.
 pub(super) fn own_draw(b: &mut Builder, q: &Formula) -> Option<Value> {
+    if let Formula::Probability(condition, draw) = q {
+        let indicator = Formula::Indicator(condition.clone());
+        let mean = Formula::Mean(Box::new(indicator), draw.clone());
+        let first = b.step(
+            Fact::Same(q.clone(), mean.clone()),
+            Rule::Probability,
+            &[],
+            &[],
+        )?;
+        return match draw {
+            Some(_) => Some((mean, first)),
+            None => {
+                let (found, second) = own_draw(b, &mean)?;
+                let step = b.chain(&[first, second], q, &found)?;
+                Some((found, step))
+            }
+        };
+    }
     let (Formula::Mean(e, None) | Formula::Variance(e, None)) = q else {
         return None;
     };
-    let names = free_names(e);
+    let (e, steps) = drawn_inside(b, e);
+    let names = free_names(&e);
     let mut draws = b.proposition().draws.iter();
     let draw = draws.find(|draw| names.contains(&draw.name))?.clone();
-    let own = Some(Box::new(draw));
-    let next = match q {
-        Formula::Mean(..) => Formula::Mean(e.clone(), own),
-        _ => Formula::Variance(e.clone(), own),
+    let with = |draw: Option<Box<Draw>>| match q {
+        Formula::Mean(..) => Formula::Mean(Box::new(e.clone()), draw),
+        _ => Formula::Variance(Box::new(e.clone()), draw),
     };
-    let fact = Fact::Same(q.clone(), next.clone());
-    let step = b.step(fact, Rule::Draw, &[], &[])?;
+    let (between, next) = (with(None), with(Some(Box::new(draw))));
+    let fact = Fact::Same(between.clone(), next.clone());
+    let step = match between == *q {
+        true => b.step(fact, Rule::Draw, &[], &[])?,
+        false => {
+            let first = b.congruent(q, &between, &steps)?;
+            let second = b.step(fact, Rule::Draw, &[], &[])?;
+            b.chain(&[first, second], q, &next)?
+        }
+    };
     Some((next, step))
+}
+
+/// The formula with draws of their own for the means in it.
+fn drawn_inside(b: &mut Builder, e: &Formula) -> (Formula, Vec<Step>) {
+    let mut steps = Vec::new();
+    let found = map_quantities(e, &mut |q| match b.attempt(|b| own_draw(b, q)) {
+        Some((next, step)) => {
+            steps.push(step);
+            next
+        }
+        None => q.clone(),
+    });
+    (found, steps)
 }
 
 /// A mean as an integral, the density of a draw as a formula; then their values.

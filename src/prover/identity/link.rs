@@ -3,6 +3,7 @@
 use super::Builder;
 use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
+use super::linear::linear;
 use super::matching::{same, unified};
 use super::unfold::{undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
@@ -120,9 +121,10 @@ fn squeezed(
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
-    let ways: [Way; 6] = [
+    let ways: [Way; 7] = [
         same,
         recurrence,
+        by_linearity,
         by_definition,
         by_value,
         from_one_end,
@@ -130,6 +132,14 @@ fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option
     ];
     ways.into_iter()
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
+}
+
+/// Both sides with constants taken out of their means and variances, then compared part by part.
+fn by_linearity(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let (u, first) = linear(b, cx, x)?;
+    let (v, last) = linear(b, cx, y)?;
+    let middle = same(b, cx, &u, &v)?;
+    b.chain(&[first, middle, last], x, y)
 }
 
 /// Both sides with means, variances and densities unfolded, then compared part by part.

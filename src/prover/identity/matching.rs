@@ -3,11 +3,11 @@
 
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate, has_quantity};
-use super::integral::evaluated;
 use super::integrand::Product;
 use super::make::{integral, map_parts, parts, replaced};
-use super::range::{body_at, on_inside, under, whole};
-use super::substitution;
+use super::primitive::is_unit;
+use super::range::{body_at, on_inside, rewritten, under, whole};
+use super::substitution::{by_ends, to_unit};
 use super::weight::{continuous, scaled};
 use crate::formula::{Formula, Operator, RangeKind, Ranged};
 use crate::kernel::proof::Step;
@@ -27,12 +27,8 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
         (Formula::Ranged(r), Formula::Ranged(s))
             if r.kind == RangeKind::Integral && s.kind == RangeKind::Integral =>
         {
-            b.attempt(|b| integrals(b, cx, r, s))
-                .or_else(|| b.attempt(|b| substituted(b, cx, (x, r), y)))
-                .or_else(|| {
-                    let back = substituted(b, cx, (y, s), x)?;
-                    b.chain(&[back], x, y)
-                })
+            let direct = b.attempt(|b| integrals(b, cx, r, s));
+            direct.or_else(|| aligned(b, cx, r, s))
         }
         (Formula::Negate(a), Formula::Negate(c)) => {
             let step = same(b, cx, a, c)?;
@@ -76,25 +72,35 @@ fn integrals(b: &mut Builder, cx: &mut Context, r: &Ranged, s: &Ranged) -> Optio
     b.chain(&[step, back], &whole(r), &whole(s))
 }
 
-/// The first integral brought to 0..1 by the distribution function in it, be it finite or not.
-fn substituted(
-    b: &mut Builder,
-    cx: &mut Context,
-    (x, r): (&Formula, &Ranged),
-    y: &Formula,
-) -> Option<Step> {
-    if has_quantity(&r.body) {
-        let (next, first) = evaluated(b, cx, r)?;
-        let Formula::Ranged(s) = &next else {
-            return None;
-        };
-        let second = substituted(b, cx, (&next, s), y)?;
-        return b.chain(&[first, second], x, y);
-    }
-    let product = Product::of(&r.body, &r.name, &mut cx.algebra);
-    let (next, first) = substitution::to_unit(b, cx, r, &product)?;
-    let second = same(b, cx, &next, y)?;
-    b.chain(&[first, second], x, y)
+/// Integrals that are alike once both run from 0 to 1.
+fn aligned(b: &mut Builder, cx: &mut Context, r: &Ranged, s: &Ranged) -> Option<Step> {
+    let (u, first) = over_unit(b, cx, r)?;
+    let (v, last) = over_unit(b, cx, s)?;
+    let (Formula::Ranged(p), Formula::Ranged(q)) = (&u, &v) else {
+        return None;
+    };
+    (**p != *r || **q != *s).then_some(())?;
+    let middle = integrals(b, cx, p, q)?;
+    b.chain(&[first, middle, last], &whole(r), &whole(s))
+}
+
+/// The integral over 0..1, its body evaluated.
+fn over_unit(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let (next, first) = match has_quantity(&r.body) {
+        true => rewritten(b, r, |b, _, body| evaluate(b, cx, body))?,
+        false => (whole(r), b.chain(&[], &whole(r), &whole(r))?),
+    };
+    let Formula::Ranged(own) = &next else {
+        return None;
+    };
+    let product = Product::of(&own.body, &own.name, &mut cx.algebra);
+    let (found, second) = match b.attempt(|b| to_unit(b, cx, own, &product)) {
+        Some(found) => found,
+        None if is_unit(own) => return Some((next, first)),
+        None => by_ends(b, cx, own, &product)?,
+    };
+    let step = b.chain(&[first, second], &whole(r), &found)?;
+    Some((found, step))
 }
 
 fn bodies(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {

@@ -48,7 +48,7 @@ impl Builder<'_> {
     }
 
     /// `low^p < high^p` or `<=`, with 1 for a power of 1.
-    fn compare_powers(
+    pub(super) fn compare_powers(
         &mut self,
         low: &Formula,
         high: &Formula,

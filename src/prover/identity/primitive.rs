@@ -60,7 +60,17 @@ pub(super) fn power(
     let c = cx
         .algebra
         .tidy(&div(product.coefficient.clone(), next.clone()));
-    by_primitive(b, r, &|x| Some(mul(c.clone(), pow(var(x), next.clone()))))
+    let at = |x: &Formula| mul(c.clone(), pow(x.clone(), next.clone()));
+    let (found, step) = by_primitive(b, r, &|x| Some(at(&var(x))))?;
+    // The power of 0 is left out.
+    let upper = at(&r.to);
+    if is_zero(&r.from)
+        && let Some(second) = b.attempt(|b| b.equal(&found, &upper))
+    {
+        let step = b.chain(&[step, second], &whole(r), &upper)?;
+        return Some((upper, step));
+    }
+    Some((found, step))
 }
 
 /// The integral of `c*sin(x)`.

@@ -1,12 +1,16 @@
 //! Integrals brought to 0..1: the new variable is the distribution function that stands in them as
-//! the base of a power, `p = A*x^d + B` with p = 0 and p = 1 at the ends.
+//! the base of a power, or else the part of the range below, `p = A*x^d + B` with p = 0 and p = 1 at
+//! the ends.
 
 use super::Builder;
+use super::decide::degree;
 use super::evaluate::{Context, Value};
 use super::integrand::{Product, product_of};
-use super::make::{add, depends, div, int, integral, mul, parts, replaced, sub, var};
+use super::make::{
+    add, depends, div, int, integral, is_one, is_zero, mul, parts, pow, replaced, sub, var,
+};
 use super::range::{body_at, on_closed, on_open, whole};
-use crate::formula::{Formula, Name, Operator, Ranged, substitute};
+use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, derive};
 
 /// `p = A*x^d + B`
@@ -31,19 +35,55 @@ pub(super) fn to_unit(
         None => Place::of(cx, base, r),
         Some(_) => None,
     })?;
-    let u = b.fresh("u");
-    let g = place.integrand(cx, product, r, &u)?;
-    // As it stands, for the kernel knows a power by its base; or else in its shortest form.
-    let short = Place {
-        p: cx.algebra.tidy(&place.p),
-        ..place.clone()
-    };
-    [place, short]
-        .into_iter()
-        .find_map(|place| b.attempt(|b| place.substitute(b, r, (&u, &g))))
+    place.put(b, cx, r, product)
+}
+
+/// The same where no power tells the place: by the powers that the ends of the range are roots of.
+pub(super) fn by_ends(
+    b: &mut Builder,
+    cx: &mut Context,
+    r: &Ranged,
+    product: &Product,
+) -> Option<Value> {
+    let exponent = [&r.to, &r.from].into_iter().find_map(degree);
+    Place::between(r, exponent.unwrap_or(int(1)))?.put(b, cx, r, product)
 }
 
 impl Place {
+    /// The integral over 0..1, by the place as it stands, for the kernel knows a power by its base;
+    /// or else in its shortest form.
+    fn put(
+        self,
+        b: &mut Builder,
+        cx: &mut Context,
+        r: &Ranged,
+        product: &Product,
+    ) -> Option<Value> {
+        let u = b.fresh("u");
+        let g = self.integrand(cx, product, r, &u)?;
+        let short = Place {
+            p: cx.algebra.tidy(&self.p),
+            ..self.clone()
+        };
+        [self, short]
+            .into_iter()
+            .find_map(|place| b.attempt(|b| place.substitute(b, r, (&u, &g))))
+    }
+
+    /// `(x^d - A)/(B - A)`, the ends being the d-th roots of A and B.
+    fn between(r: &Ranged, exponent: Formula) -> Option<Place> {
+        let (low, high) = (raised(&r.from, &exponent)?, raised(&r.to, &exponent)?);
+        let power = pow(var(&r.name), exponent.clone());
+        let width = sub(high, low.clone());
+        Some(Place {
+            p: div(sub(power.clone(), low.clone()), width.clone()),
+            slope: div(int(1), width.clone()),
+            origin: div(sub(int(0), low), width),
+            power,
+            exponent,
+        })
+    }
+
     fn of(cx: &mut Context, base: &Formula, r: &Ranged) -> Option<Place> {
         let p = cx.algebra.tidy(base);
         if p == var(&r.name) {
@@ -51,7 +91,7 @@ impl Place {
         }
         let at = |end: &Formula| substitute(&p, &[(r.name.clone(), end.clone())]).ok();
         let (low, high) = (at(&r.from)?, at(&r.to)?);
-        if !cx.algebra.zero(&vanishing(&low)) || !cx.algebra.same(&high, &int(1)) {
+        if !cx.algebra.zero(&plain(&low)) || !cx.algebra.same(&plain(&high), &int(1)) {
             return None;
         }
         let power = power_of(&p, &r.name)?;
@@ -112,39 +152,93 @@ impl Place {
         Some(mul(c, product_of(&factors)))
     }
 
-    fn substitute(&self, b: &mut Builder, r: &Ranged, (u, g): (&Name, &Formula)) -> Option<Value> {
-        let ends = (&r.from, &r.to);
-        let p = |x: &Formula| substitute(&self.p, &[(r.name.clone(), x.clone())]).ok();
-        let width = Formula::binary(Operator::Subtract, r.to.clone(), r.from.clone());
-        b.positive(&width)?;
-        let finite = on_closed(b, &r.name, ends, |b, x| b.finite_step(&p(&var(x))?))?;
-        let (x, [sign, same]) = on_open(b, &r.name, ends, |b, x| {
-            let place = p(&var(x))?;
-            let slope = derive(&place, x).ok()?;
-            b.finite(&slope)?;
-            b.positive(&slope)?;
-            let fact = Fact::Less(int(0), slope.clone());
-            let sign = b.step(fact, Rule::Order, &[], std::slice::from_ref(&slope))?;
-            let there = substitute(g, &[(u.clone(), place)]).ok()?;
-            let there = Formula::binary(Operator::Multiply, there, slope);
-            let same = b.equal(&body_at(r, x)?, &there)?;
-            Some((x.clone(), [sign, same]))
-        })?;
-        b.equal(&p(&r.from)?, &int(0))?;
-        b.equal(&p(&r.to)?, &int(1))?;
-        let next = integral(g.clone(), u, int(0), int(1));
-        let fact = Fact::Same(whole(r), next.clone());
-        let premises = [finite, sign, same];
-        let step = b.step(fact, Rule::Substitution, &premises, &[p(&var(&x))?])?;
-        Some((next, step))
+    fn substitute(&self, b: &mut Builder, r: &Ranged, new: (&Name, &Formula)) -> Option<Value> {
+        exchanged(b, r, &self.p, new, (&int(0), &int(1)))
     }
 }
 
-/// Powers of 0 and 1 by value, for a first look.
-fn vanishing(e: &Formula) -> Formula {
+/// The integral over a new variable, which stands for `p` and runs between the new ends.
+fn exchanged(
+    b: &mut Builder,
+    r: &Ranged,
+    p: &Formula,
+    (u, g): (&Name, &Formula),
+    (low, high): (&Formula, &Formula),
+) -> Option<Value> {
+    let ends = (&r.from, &r.to);
+    let p = |x: &Formula| substitute(p, &[(r.name.clone(), x.clone())]).ok();
+    let width = Formula::binary(Operator::Subtract, r.to.clone(), r.from.clone());
+    b.positive(&width)?;
+    let finite = on_closed(b, &r.name, ends, |b, x| b.finite_step(&p(&var(x))?))?;
+    let (x, [sign, same]) = on_open(b, &r.name, ends, |b, x| {
+        let place = p(&var(x))?;
+        let slope = derive(&place, x).ok()?;
+        b.finite(&slope)?;
+        b.positive(&slope)?;
+        let fact = Fact::Less(int(0), slope.clone());
+        let sign = b.step(fact, Rule::Order, &[], std::slice::from_ref(&slope))?;
+        let there = substitute(g, &[(u.clone(), place)]).ok()?;
+        let there = Formula::binary(Operator::Multiply, there, slope);
+        let same = b.equal(&body_at(r, x)?, &there)?;
+        Some((x.clone(), [sign, same]))
+    })?;
+    b.equal(&p(&r.from)?, low)?;
+    b.equal(&p(&r.to)?, high)?;
+    let next = integral(g.clone(), u, low.clone(), high.clone());
+    let fact = Fact::Same(whole(r), next.clone());
+    let premises = [finite, sign, same];
+    let step = b.step(fact, Rule::Substitution, &premises, &[p(&var(&x))?])?;
+    Some((next, step))
+}
+
+/// An integral of a function that is given, at a root: over the root as the new variable.
+pub(super) fn by_argument(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let root = root_inside(&r.body, &r.name)?;
+    let d = degree(root)?;
+    let powers = cx.algebra.in_powers(&raised(root, &d)?, &r.name)?;
+    (*powers.keys().next_back()? == 1).then_some(())?;
+    let (slope, origin) = (
+        powers.get(&1)?.clone(),
+        powers.get(&0).cloned().unwrap_or(int(0)),
+    );
+    let u = b.fresh("u");
+    let (power, less) = (
+        pow(var(&u), d.clone()),
+        cx.algebra.tidy(&sub(d.clone(), int(1))),
+    );
+    let place = div(sub(power, origin.clone()), slope.clone());
+    let body = replaced(&r.body, root, &var(&u));
+    let body = substitute(&body, &[(r.name.clone(), place)]).ok()?;
+    let g = mul(body, div(mul(d.clone(), pow(var(&u), less)), slope.clone()));
+    let mut end = |x: &Formula| {
+        let raised = add(mul(slope.clone(), x.clone()), origin.clone());
+        match cx.algebra.tidy(&raised) {
+            Formula::Binary(Operator::Power, base, e) if *e == d => Some(*base),
+            _ => None,
+        }
+    };
+    let ends = (end(&r.from)?, end(&r.to)?);
+    exchanged(b, r, root, (&u, &g), (&ends.0, &ends.1))
+}
+
+/// The root of the variable that a function that is given is taken at.
+fn root_inside<'a>(e: &'a Formula, x: &Name) -> Option<&'a Formula> {
     match e {
-        Formula::Binary(Operator::Power, a, _) if super::make::is_zero(a) => int(0),
-        _ => super::make::map_parts(e, &mut vanishing),
+        Formula::Apply(_, list) => list
+            .iter()
+            .find(|part| degree(part).is_some() && depends(part, x)),
+        _ => parts(e).into_iter().find_map(|part| root_inside(part, x)),
+    }
+}
+
+/// Powers of 0, of 1 and of roots by value, for a first look.
+fn plain(e: &Formula) -> Formula {
+    match e {
+        Formula::Binary(Operator::Power, a, _) if is_zero(a) || is_one(a) => (**a).clone(),
+        Formula::Binary(Operator::Power, a, d) if degree(a).as_ref() == Some(&**d) => {
+            raised(a, d).unwrap_or_else(|| e.clone())
+        }
+        _ => super::make::map_parts(e, &mut plain),
     }
 }
 
@@ -156,5 +250,17 @@ fn power_of(e: &Formula, x: &Name) -> Option<Formula> {
             Some(e.clone())
         }
         _ => parts(e).into_iter().find_map(|part| power_of(part, x)),
+    }
+}
+
+/// The d-th power of 0, of 1, or of a d-th root; anything is its own first.
+fn raised(e: &Formula, d: &Formula) -> Option<Formula> {
+    match e {
+        _ if is_one(d) || is_zero(e) || is_one(e) => Some(e.clone()),
+        Formula::Call(Function::Sqrt, parts) if *d == int(2) => parts.first().cloned(),
+        Formula::Binary(Operator::Power, a, _) if degree(e).as_ref() == Some(d) => {
+            Some((**a).clone())
+        }
+        _ => None,
     }
 }

@@ -274,3 +274,49 @@ fn bounded_variables() {
         "l=1,m=2,a=1,b=2",
     );
 }
+
+#[test]
+fn means_over_two_laws() {
+    proved(
+        "given int d, k, n\ndomain d >= 1\ndomain 1 <= k <= n\ndraw R ~ order(k, n) of density x -> d*x^(d-1) on 0..1\nsays var(1/R^d) == var(1/x, x ~ beta(k, n-k+1))",
+        "d=1,k=3,n=3",
+    );
+    proved(
+        "given int k\ndomain k >= 1\ndraw R ~ density x -> 2*x on sqrt(k-1)..sqrt(k)\nsays mean(1/R^2) == mean(1/x, x ~ uniform(k-1, k))",
+        "k=2",
+    );
+}
+
+#[test]
+fn constants_in_means() {
+    proved(
+        "given int k, n; real I\ndomain 1 <= k <= n\ndraw R ~ beta(k, n-k+1)\nsays var(I/R - 1/k) == var(I/R)",
+        "k=3,n=3,I=1",
+    );
+    proved(
+        "given real a, b\ndraw X ~ any\nsays var(a + b*X) == b^2*var(X)",
+        "a=1,b=1",
+    );
+    proved(
+        "given real a\ndraw X ~ uniform(0, 1)\nsays mean(a*X^2 - 3*X) == a*mean(X^2) - 3*mean(X)",
+        "a=1",
+    );
+    proved(
+        "draw X ~ any\nsays var(X^2) == mean((X^2 - mean(X^2))^2)",
+        "",
+    );
+}
+
+#[test]
+fn conditions_of_draws() {
+    let given = "given real a, b\ndomain 0 <= a <= b and b > 0\ndraw X ~ uniform(0, 1)\nsays ";
+    for says in [
+        "prob(X <= 2) == 1",
+        "prob(X^2 < 0) == 0",
+        "prob(sqrt(X*b^2) <= a) == a^2/b^2",
+        "prob((X*b^3)^(1/3) > a) == 1 - a^3/b^3",
+        "mean([a/b < X < 1]*X) == 1/2 - (a/b)^2/2",
+    ] {
+        proved(&format!("{given}{says}"), "a=1,b=2");
+    }
+}

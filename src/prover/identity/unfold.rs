@@ -3,7 +3,7 @@
 use super::Builder;
 use super::evaluate::{Context, Value};
 use super::matching::map_quantities;
-use super::{indicator, law};
+use super::{law, support};
 use crate::formula::{Formula, RangeKind};
 use crate::kernel::proof::{Fact, Rule, Step};
 
@@ -23,11 +23,13 @@ pub(super) fn unfolded(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option
 
 fn quantity(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Value> {
     let (next, first) = match q {
-        Formula::Mean(_, None) | Formula::Variance(_, None) => law::own_draw(b, q)?,
+        Formula::Mean(_, None) | Formula::Variance(_, None) | Formula::Probability(..) => {
+            law::own_draw(b, q)?
+        }
         Formula::Mean(_, Some(_)) => law::by_density(b, cx, q)?,
         Formula::Density(..) => return law::by_density(b, cx, q),
         Formula::Variance(_, Some(_)) => law::by_moments(b, q)?,
-        Formula::Ranged(r) if r.kind == RangeKind::Integral => indicator::narrowed(b, r)?,
+        Formula::Ranged(r) if r.kind == RangeKind::Integral => support::narrowed(b, cx, r)?,
         _ => return None,
     };
     let (found, second) = unfolded(b, cx, &next)?;

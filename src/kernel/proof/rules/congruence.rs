@@ -2,7 +2,9 @@
 
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked, General, depends, fits};
-use crate::formula::{Condition, Draw, Formula, Law, Name, RangeKind, Ranged, substitute};
+use crate::formula::{
+    Condition, Draw, Formula, Law, Name, RangeKind, Ranged, free_names, substitute,
+};
 
 /// A binder on the way down, and whether premises for its range may be used under it.
 struct Crossed {
@@ -72,12 +74,24 @@ impl Walk<'_, '_, '_> {
             (Formula::Ranged(r), Formula::Ranged(s)) if r.kind == s.kind => {
                 self.ranges(r, s, under)
             }
+            (Formula::Mean(a, None), Formula::Mean(b, None))
+            | (Formula::Variance(a, None), Formula::Variance(b, None)) => {
+                Ok(self.drawn(a) == self.drawn(b) && self.same(a, b, under)?)
+            }
             (Formula::Mean(a, Some(x)), Formula::Mean(b, Some(y)))
             | (Formula::Variance(a, Some(x)), Formula::Variance(b, Some(y))) => {
                 Ok(self.laws(&x.law, &y.law, under)? && self.means(a, x, b, y, under)?)
             }
             _ => Ok(false),
         }
+    }
+
+    /// The draws that a mean of the formula is over.
+    fn drawn(&self, e: &Formula) -> Vec<&Name> {
+        let names = free_names(e);
+        let draws = self.check.proof.proposition.draws.iter();
+        let names = draws.map(|d| &d.name).filter(|name| names.contains(*name));
+        names.collect()
     }
 
     fn each(&self, a: &[Formula], b: &[Formula], under: &mut Vec<Crossed>) -> Known {

@@ -1,6 +1,6 @@
 //! The rules of integrals and sums.
 
-use super::super::known::{above, minus, strictly_between};
+use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked, body_at, depends, put};
 use crate::formula::{Formula, Name, Operator, RangeKind, Ranged};
@@ -55,14 +55,17 @@ impl<'a> Check<'a, '_> {
     }
 
     pub(super) fn scale(&self) -> Checked {
-        let r = integral(self.equation()?.0)?;
-        let Formula::Binary(Operator::Multiply, c, e) = &r.body else {
-            return reject("the integrand is a product");
+        let linear = linear(self.equation()?.0)?;
+        let Formula::Binary(Operator::Multiply, c, e) = linear.body else {
+            return reject("the body is a product");
         };
-        require(!depends(c, &r.name), "the factor depends on the variable")?;
-        let rest = with_body(r, e);
+        require(
+            !depends(c, linear.name),
+            "the factor depends on the variable",
+        )?;
+        let rest = (linear.of)(e);
         self.is_finite(c)?;
-        // 0 times an infinite integral has no value, but the integral of 0 may have one.
+        // 0 times what is infinite has no value, but the integral of 0 may have one.
         if self.is_nonzero(c).is_err() {
             self.is_finite(&rest)?;
         }
@@ -70,11 +73,12 @@ impl<'a> Check<'a, '_> {
     }
 
     pub(super) fn split(&self) -> Checked {
-        let r = integral(self.equation()?.0)?;
-        let Formula::Binary(operator @ (Operator::Add | Operator::Subtract), e, g) = &r.body else {
-            return reject("the integrand is a sum or a difference");
+        let linear = linear(self.equation()?.0)?;
+        let Formula::Binary(operator @ (Operator::Add | Operator::Subtract), e, g) = linear.body
+        else {
+            return reject("the body is a sum or a difference");
         };
-        let (first, second) = (with_body(r, e), with_body(r, g));
+        let (first, second) = ((linear.of)(e), (linear.of)(g));
         self.is_finite(&first)?;
         self.is_finite(&second)?;
         self.concludes(&Formula::binary(*operator, first, second))
@@ -112,25 +116,21 @@ impl<'a> Check<'a, '_> {
         self.concludes(&Formula::Infinity)
     }
 
-    pub(super) fn indicator(&self) -> Checked {
+    pub(super) fn support(&self) -> Checked {
         let (left, right) = self.equation()?;
         let (r, s) = (integral(left)?, integral(right)?);
-        let x = Formula::Name(r.name.clone());
-        require(r.name == s.name, "the two integrals have the same variable")?;
-        let condition = strictly_between(&s.from, &x, &s.to);
-        let indicator = Formula::Indicator(Box::new(condition));
-        let cut = Formula::binary(Operator::Multiply, indicator, s.body.clone());
-        require(
-            r.body == cut,
-            "the integrand is the indicator of the range times the other",
-        )?;
-        let free = !depends(&s.from, &r.name) && !depends(&s.to, &r.name);
-        require(free, "the range depends on the variable")?;
-        let (y, fact) = self.on_range(0, self.ends(r, true)?, false, false)?;
-        states(fact, &Fact::Finite(body_at(s, y)?))?;
-        self.ends(s, true)?;
-        self.is_nonnegative(&above(&r.from, &s.from))?;
-        self.is_nonnegative(&above(&s.to, &r.to))
+        for (low, high) in [(&r.from, &s.from), (&s.from, &s.to), (&s.to, &r.to)] {
+            self.is_nonnegative(&above(low, high))?;
+        }
+        let (x, fact) = self.on_range(0, (&s.from, &s.to), false, false)?;
+        states(fact, &Fact::Same(body_at(r, x)?, body_at(s, x)?))?;
+        let beside = [(&r.from, &s.from), (&s.to, &r.to)];
+        let beside = beside.into_iter().filter(|(low, high)| low != high);
+        for (index, ends) in (1..).zip(beside) {
+            let (x, fact) = self.on_range(index, ends, false, false)?;
+            states(fact, &Fact::Same(body_at(r, x)?, Formula::integer(0)))?;
+        }
+        Ok(())
     }
 
     pub(super) fn telescope(&self) -> Checked {
@@ -194,11 +194,34 @@ fn integral(formula: &Formula) -> Result<&Ranged, Rejected> {
     }
 }
 
-fn with_body(r: &Ranged, body: &Formula) -> Formula {
-    Formula::Ranged(Box::new(Ranged {
-        body: body.clone(),
-        ..r.clone()
-    }))
+/// What is linear in its body: an integral, or a mean over a draw.
+struct Linear<'f> {
+    body: &'f Formula,
+    name: &'f Name,
+    /// The same of another body.
+    of: Box<dyn Fn(&Formula) -> Formula + 'f>,
+}
+
+fn linear(formula: &Formula) -> Result<Linear<'_>, Rejected> {
+    if let Formula::Mean(body, Some(draw)) = formula {
+        return Ok(Linear {
+            body,
+            name: &draw.name,
+            of: Box::new(|e| Formula::Mean(Box::new(e.clone()), Some(draw.clone()))),
+        });
+    }
+    let r = integral(formula)?;
+    let of = |e: &Formula| {
+        Formula::Ranged(Box::new(Ranged {
+            body: e.clone(),
+            ..r.clone()
+        }))
+    };
+    Ok(Linear {
+        body: &r.body,
+        name: &r.name,
+        of: Box::new(of),
+    })
 }
 
 fn plus_one(e: &Formula) -> Formula {

@@ -9,7 +9,7 @@ use crate::formula::{
     Ranged, free_names, substitute,
 };
 
-use Operator::{Add, Divide, Multiply, Power};
+use Operator::{Add, Divide, Multiply, Power, Subtract};
 
 /// A density at a place, and the ends of its support.
 type Density = (Formula, Formula, Formula);
@@ -35,6 +35,14 @@ impl<'a> Check<'a, '_> {
         let names = Part::Law(&own.law).free_names();
         let closed = draws.iter().all(|draw| !names.contains(&draw.name));
         require(closed, "a law that depends on a draw")
+    }
+
+    pub(super) fn probability(&self) -> Checked {
+        let Formula::Probability(condition, draw) = self.equation()?.0 else {
+            return reject("the rule is for probabilities");
+        };
+        let indicator = Formula::Indicator(condition.clone());
+        self.concludes(&Formula::Mean(Box::new(indicator), draw.clone()))
     }
 
     pub(super) fn density(&self) -> Checked {
@@ -128,13 +136,46 @@ impl<'a> Check<'a, '_> {
             return reject("the rule is for variances over a draw");
         };
         let mean = |e: Formula| Formula::Mean(Box::new(e), Some(draw.clone()));
+        let variance = |e: &Formula| Formula::Variance(Box::new(e.clone()), Some(draw.clone()));
+        let square = |e: Formula| Formula::binary(Power, e, Formula::integer(2));
         let first = mean((**e).clone());
-        if let Fact::Undefined(_) = self.fact {
-            return states(self.plain(0)?, &Fact::Same(first, Formula::Infinity));
+        let right = match self.fact {
+            Fact::Same(_, right) => right,
+            _ => return states(self.plain(0)?, &Fact::Same(first, Formula::Infinity)),
+        };
+        if let Formula::Mean(..) = right {
+            self.is_finite(&first)?;
+            let own = Part::Law(&draw.law).free_names().contains(&draw.name);
+            require(!own, "the law depends on a name like its draw's")?;
+            return self.concludes(&mean(square(minus(e, &first))));
         }
-        let two = Formula::integer(2);
-        let second = mean(Formula::binary(Power, (**e).clone(), two.clone()));
-        self.concludes(&minus(&second, &Formula::binary(Power, first, two)))
+        let constant = |c: &Formula| {
+            require(!depends(c, &draw.name), "what is no constant")?;
+            self.is_finite(c)
+        };
+        match (&**e, right) {
+            (Formula::Binary(Add | Subtract, g, c), Formula::Variance(h, _)) if g == h => {
+                constant(c)?;
+                self.concludes(&variance(g))
+            }
+            (Formula::Binary(Add, c, g), Formula::Variance(..)) => {
+                constant(c)?;
+                self.concludes(&variance(g))
+            }
+            (Formula::Binary(Multiply, c, g), Formula::Binary(Multiply, ..)) => {
+                constant(c)?;
+                let rest = variance(g);
+                // 0 times what is infinite has no value, but the variance of 0 has one.
+                if self.is_nonzero(c).is_err() {
+                    self.is_finite(&rest)?;
+                }
+                self.concludes(&Formula::binary(Multiply, square((**c).clone()), rest))
+            }
+            _ => {
+                let second = mean(square((**e).clone()));
+                self.concludes(&minus(&second, &square(first)))
+            }
+        }
     }
 
     pub(super) fn beta_integral(&self) -> Checked {
@@ -232,23 +273,29 @@ impl<'a> Check<'a, '_> {
     }
 
     pub(super) fn function(&self) -> Checked {
-        let Formula::Ranged(r) = self.equation()?.0 else {
-            return reject("the rule is for the integral of a density");
+        let (integral, wanted) = match self.fact {
+            Fact::Same(integral, one) if *one == Formula::integer(1) => {
+                (integral, FunctionKind::Density)
+            }
+            Fact::Finite(integral) => (integral, FunctionKind::Integrable),
+            _ => return reject("the rule concludes that an integral is 1, or finite"),
         };
-        let density = self.proof.proposition.parameters.iter().any(|parameter| {
+        let Formula::Ranged(r) = integral else {
+            return reject("the rule is for the integral of a function");
+        };
+        let given = self.proof.proposition.parameters.iter().any(|parameter| {
             let s = Formula::Name(r.name.clone());
             let body = Formula::Apply(parameter.name.clone(), vec![s]);
             let (kind, from, to) = match &parameter.kind {
                 ParameterKind::Function { kind, from, to, .. } => (kind, from, to),
                 _ => return false,
             };
-            *kind == FunctionKind::Density && **r == range(body, &r.name, from.clone(), to.clone())
+            *kind == wanted && **r == range(body, &r.name, from.clone(), to.clone())
         });
         require(
-            density,
-            "it is not the integral of a density over its range",
-        )?;
-        self.concludes(&Formula::integer(1))
+            given,
+            "it is not the integral of such a function over its range",
+        )
     }
 }
 
@@ -301,7 +348,7 @@ fn is_polynomial(e: &Formula, names: &[&Name]) -> Checked {
     match e {
         Formula::Name(_) | Formula::Number(_) => Ok(()),
         Formula::Negate(a) => is_polynomial(a, names),
-        Formula::Binary(Add | Operator::Subtract | Multiply, a, b) => {
+        Formula::Binary(Add | Subtract | Multiply, a, b) => {
             is_polynomial(a, names)?;
             is_polynomial(b, names)
         }

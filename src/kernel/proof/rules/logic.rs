@@ -170,6 +170,39 @@ impl Check<'_, '_> {
         }
     }
 
+    pub(super) fn decide(&self) -> Checked {
+        let (left, right) = self.equation()?;
+        let (one, zero) = (Formula::integer(1), Formula::integer(0));
+        let (condition, yes, no) = match left {
+            Formula::Indicator(c) => (c, &one, &zero),
+            Formula::If(c, a, b) => (c, &**a, &**b),
+            _ => return reject("the rule is for what depends on a condition"),
+        };
+        let Some(facts) = Fact::of_condition(condition) else {
+            return reject("a condition that is not made of relations");
+        };
+        if right == yes && facts.iter().all(|fact| self.holds(fact).is_ok()) {
+            return Ok(());
+        }
+        let mut opposites = facts.iter().filter_map(Fact::negation);
+        let fails = opposites.any(|fact| self.holds(&fact).is_ok());
+        require(right == no && fails, "the condition does not decide so")
+    }
+
+    /// A relation between finite numbers holds.
+    fn holds(&self, fact: &Fact) -> Checked {
+        for side in fact.sides() {
+            self.is_finite(side)?;
+        }
+        match fact {
+            Fact::Less(a, b) => self.is_positive(&above(a, b)),
+            Fact::AtMost(a, b) => self.is_nonnegative(&above(a, b)),
+            Fact::Different(a, b) => self.is_nonzero(&minus(b, a)),
+            Fact::Same(a, b) => need(self.proof.zero(&minus(b, a)), b, "the same"),
+            _ => reject("a relation between numbers"),
+        }
+    }
+
     pub(super) fn cases(&self) -> Checked {
         let (one, other) = (self.premise(0)?, self.premise(1)?);
         let alike = one.fact == self.fact && other.fact == self.fact;

@@ -3,7 +3,7 @@
 use super::{accepts, rejects};
 
 const SCOPE: &str = "given int k\ngiven int n\ngiven real x\ngiven real y\ngiven real z
-    given fn f(t) density on 0..1\ndomain 1 <= k <= n and x > 0\ndomain y >= 0
+    given fn f(t) density on 0..1\ngiven fn h(t) integrable on 0..1\ndomain 1 <= k <= n and x > 0\ndomain y >= 0
     draw X ~ beta(x, 2)\ndraw Y ~ uniform(x, x + y)\ndraw U ~ uniform(0, X)
     draw T ~ order(k, n) of uniform(1, 3)\ndraw D ~ density f on 0..1\ndraw A ~ any
     draw S ~ order(k, n) of density s -> 2*s on 0..1\ndraw B ~ order(1, 2) of beta(1, 1)";
@@ -376,72 +376,137 @@ fn divergence() {
 }
 
 #[test]
-fn indicators() {
-    let block = on("t real | 1: 0 < t | 2: t < 3", "3: finite 1/t | finite");
-    let result = "9: int([1 < s < 2]*(1/s), s = 0..3) == int(1/s, s = 1..2) | indicator 3";
-    yes(&format!("{block}{result}"));
-    no(
-        &format!("{block}{}", result.replace("< 2]", "<= 2]")),
-        "times the other",
+fn supports() {
+    let inside = on(
+        "t real | 1: 1 < t | 2: t < 2",
+        "3: [1 < t < 2] == 1 | decide\n4: [1 < t < 2]*(1/t) == 1*(1/t) | congruence 3",
     );
-    no(
-        &format!("{block}{}", result.replace("s = 1..2", "s = 1..3")),
-        "times the other",
+    let below = on(
+        "t real | 5: 0 < t | 6: t < 1",
+        "7: [1 < t < 2] == 0 | decide\n8: [1 < t < 2]*(1/t) == 0 | ring 7",
     );
-    no(
-        &format!("{block}{}", result.replace("(1/s), s = 0", "(2/s), s = 0")),
-        "times the other",
+    let above = on(
+        "t real | 11: 2 < t | 12: t < 3",
+        "13: [1 < t < 2] == 0 | decide\n14: 0 < t | order | t - 2 + 2\n15: [1 < t < 2]*(1/t) == 0 | ring 13",
     );
-    no(
-        &format!("{block}{}", result.replace("0..3", "0..x")),
-        "supposes more",
-    );
-    no(
-        &format!(
-            "{block}{}",
-            result.replace("< 2]", "< 4]").replace("..2", "..4")
-        ),
-        "nonnegative",
-    );
-    no(
-        &format!(
-            "{block}{}",
-            result.replace("[1 <", "[-1 <").replace("1..2", "-1..2")
-        ),
-        "nonnegative",
-    );
-    no(
-        &format!(
-            "{block}{}",
-            result.replace("[1 <", "[2 <").replace("1..2", "2..2")
-        ),
-        "positive",
-    );
-    no(
-        &format!("{block}{}", result.replace("0..3", "3..0")),
-        "positive",
-    );
-    no(
-        &format!("{block}{}", result.replace("int(1/s, s =", "int(1/t, t =")),
-        "the same variable",
-    );
-    no(
-        &format!(
-            "{block}{}",
-            result.replace("(1/s)", "s").replace("int(1/s", "int(s")
-        ),
-        "the premise should be",
-    );
-    let range = "{ | 4: 1 < x | 5: x < 2\n6: x - 1 < 2 | order | 2 - x + 1\n";
+    let proof = format!("{inside}{below}{above}");
+    let result = "9: int([1 < s < 2]*(1/s), s = 0..3) == int(1*(1/s), s = 1..2) | support 4 8 15";
+    yes(&format!("{proof}{result}"));
     yes(&format!(
-        "{block}{range}9: int([x - 1 < s < 2]*(1/s), s = 0..3) == int(1/s, s = x - 1..2) | indicator 3"
+        "{proof}{}",
+        result
+            .replace("0..3", "1..3")
+            .replace("support 4 8", "support 4")
     ));
-    no(
-        &format!(
-            "{block}{range}9: int([x - 1 < x < 2]*(1/x), x = 0..3) == int(1/x, x = x - 1..2) | indicator 3"
+    yes(&format!(
+        "{proof}{}",
+        result.replace("0..3", "0..2").replace("8 15", "8")
+    ));
+    for (old, new, reason) in [
+        ("int(1*", "int(2*", "the premise should be"),
+        ("*(1/s), s = 0", "*(2/s), s = 0", "the premise should be"),
+        ("0..3", "3/2..3", "nonnegative"),
+        ("1..2", "2..1", "nonnegative"),
+        ("0..3", "0..3/2", "nonnegative"),
+        ("0..3", "0..y", "nonnegative"),
+        ("1..2", "1..3/2", "supposes more"),
+        ("0..3", "-1..3", "supposes more"),
+        ("0..3", "0..4", "supposes more"),
+        ("4 8 15", "4 15 8", "supposes more"),
+        ("4 8 15", "8 8 15", "supposes more"),
+        ("4 8 15", "4 4 15", "supposes more"),
+        ("4 8 15", "4 8", "missing"),
+        ("4 8 15", "4", "missing"),
+        ("0..3", "1..3", "supposes more"),
+        ("int(1*(1/s), s =", "sum(1*(1/s), s =", "for integrals"),
+        ("int([1 <", "sum([1 <", "for integrals"),
+    ] {
+        no(&format!("{proof}{}", result.replacen(old, new, 1)), reason);
+    }
+    for (facts, reason) in [
+        (proof.replace("t real | 1:", "t int | 1:"), "supposes more"),
+        (proof.replace("t real | 5:", "t int | 5:"), "supposes more"),
+        (
+            proof.replace("8: [1 < t < 2]*(1/t)", "8: [1 < t < 2]/t"),
+            "the premise should be",
         ),
-        "the range depends on the variable",
+        (
+            proof.replace("15: [1 < t < 2]*(1/t) == 0", "15: [1 < t < 2]*(1/t) == 0*t"),
+            "the premise should be",
+        ),
+    ] {
+        no(&format!("{facts}{result}"), reason);
+    }
+    // Over a point the integral is 0.
+    let nowhere = on("t real | 1: 0 < t | 2: t < 0", "3: [t < 0] == 1 | decide");
+    let elsewhere = on("t real | 5: 0 < t | 6: t < 3", "7: [t < 0] == 0 | decide");
+    yes(&format!(
+        "{nowhere}{elsewhere}9: int([s < 0], s = 0..3) == int(1, s = 0..0) | support 3 7"
+    ));
+}
+
+#[test]
+fn factors_and_sums_of_means() {
+    let law = "t ~ beta(x, 1)";
+    yes(&format!("9: mean(x*t, {law}) == x*mean(t, {law}) | scale"));
+    yes(&format!(
+        "{{ | 1: finite mean(t, {law})\n9: mean(y*t, {law}) == y*mean(t, {law}) | scale"
+    ));
+    for (stated, reason) in [
+        (
+            format!("mean(x*t, {law}) == x*mean(t, t ~ beta(x, 2))"),
+            "the rule gives",
+        ),
+        (format!("mean(y*t, {law}) == y*mean(t, {law})"), "finite"),
+        (
+            format!("mean(1/y*t, {law}) == 1/y*mean(t, {law})"),
+            "finite",
+        ),
+        (
+            format!("var(x*t, {law}) == x*var(t, {law})"),
+            "for integrals",
+        ),
+        ("mean(x*X) == x*mean(X)".to_string(), "for integrals"),
+        (
+            format!("mean(x + t, {law}) == x*mean(t, {law})"),
+            "a product",
+        ),
+    ] {
+        no(&format!("9: {stated} | scale"), reason);
+    }
+    no(
+        &format!("{{ t real\n9: mean(t*x, {law}) == t*mean(x, {law}) | scale"),
+        "depends on the variable",
     );
+    let finite = format!("{{ | 1: finite mean(t, {law}) | 2: finite mean(1/t, {law})\n");
+    for (stated, reason) in [
+        (
+            format!("mean(t - 1/t, {law}) == mean(t, {law}) - mean(1/t, {law})"),
+            "",
+        ),
+        (
+            format!("mean(t - 1/t, {law}) == mean(t, {law}) + mean(1/t, {law})"),
+            "the rule gives",
+        ),
+        (
+            format!("mean(t - ln(t), {law}) == mean(t, {law}) - mean(ln(t), {law})"),
+            "finite",
+        ),
+        (
+            format!("mean(ln(t) - t, {law}) == mean(ln(t), {law}) - mean(t, {law})"),
+            "finite",
+        ),
+        (
+            format!("mean(t*(1/t), {law}) == mean(t, {law})*mean(1/t, {law})"),
+            "a sum",
+        ),
+    ] {
+        let proof = format!("{finite}9: {stated} | split");
+        match reason {
+            "" => yes(&proof),
+            reason => no(&proof, reason),
+        }
+    }
 }
 
 #[test]
@@ -534,6 +599,53 @@ fn draws() {
         "9: mean(U) == mean(U, U ~ uniform(0, X)) | draw",
         "depends on a draw",
     );
+}
+
+#[test]
+fn means_inside_of_means() {
+    let block = "{ | 1: mean(X) == x\n";
+    yes(&format!(
+        "{block}9: mean((X - mean(X))^2) == mean((X - x)^2) | congruence 1"
+    ));
+    yes(&format!(
+        "{block}9: var(X*mean(X)) == var(X*x) | congruence 1"
+    ));
+    for (stated, premises) in [
+        ("mean((X - mean(X))^2) == mean((X - x)^2)", ""),
+        ("mean(X*mean(X)) == var(X*x)", "1"),
+        ("var(X*mean(X)) == mean(X*x)", "1"),
+        ("mean(Y*mean(X)) == mean(Y*x)", "1"),
+        ("var(mean(X)) == var(x)", "1"),
+        ("mean(X*mean(X)) == mean(X*x, X ~ beta(x, 2))", "1"),
+    ] {
+        no(
+            &format!("{block}9: {stated} | congruence {premises}"),
+            "differ",
+        );
+    }
+}
+
+#[test]
+fn probabilities() {
+    let own = "t ~ beta(x, 1)";
+    yes("9: prob(X < x) == mean([X < x]) | probability");
+    yes(&format!(
+        "9: prob(t < y, {own}) == mean([t < y], {own}) | probability"
+    ));
+    for stated in [
+        "prob(X < x) == mean([X <= x])".to_string(),
+        "prob(X < x) == mean([X < x], X ~ beta(x, 2))".to_string(),
+        "prob(X < x) == var([X < x])".to_string(),
+        format!("prob(t < y, {own}) == mean([t < y], t ~ beta(x, 2))"),
+        format!("prob(X < y, {own}) == mean([X < y])"),
+    ] {
+        no(&format!("9: {stated} | probability"), "the rule gives");
+    }
+    no(
+        "9: mean([X < x]) == prob(X < x) | probability",
+        "for probabilities",
+    );
+    no("9: prob(X < x) < 1 | probability", "an equation");
 }
 
 #[test]
@@ -669,6 +781,22 @@ fn variances() {
         "9: var(X) == mean(X^2) - mean(X)^2 | variance",
         "over a draw",
     );
+    let finite = format!("{{ | 1: finite mean(t, {law})\n");
+    let centred = format!("9: var(t, {law}) == mean((t - mean(t, {law}))^2, {law}) | variance");
+    yes(&format!("{finite}{centred}"));
+    no(&centred, "finite");
+    no(
+        &format!("{finite}{}", centred.replace(")^2", ")^3")),
+        "the rule gives",
+    );
+    no(
+        &format!(
+            "{{ t real\n{}{}",
+            finite.replace("0, x", "0, t"),
+            centred.replace("0, x", "0, t")
+        ),
+        "a name like its draw's",
+    );
     let block = format!("{{ | 1: mean({e}, {law}) == inf | 2: mean({e}, {law}) == 2\n");
     yes(&format!("{block}9: undefined var({e}, {law}) | variance 1"));
     no(
@@ -682,6 +810,70 @@ fn variances() {
     no(
         &format!("{block}9: finite var({e}, {law}) | variance 1"),
         "for variances",
+    );
+}
+
+#[test]
+fn variances_of_linear_forms() {
+    let law = "t ~ uniform(0, x)";
+    for e in ["t + k", "k + t", "t - k", "t + mean(s, s ~ beta(1, 1))"] {
+        let stated = format!("9: var({e}, {law}) == var(t, {law}) | variance");
+        yes(&format!("{{ | 1: finite mean(s, s ~ beta(1, 1))\n{stated}"));
+        no(
+            &format!(
+                "{{ | 1: finite mean(s, s ~ beta(1, 1))\n{}",
+                stated.replace("== var(t, t ~ uniform(0, x)", "== var(t, t ~ uniform(0, 1)")
+            ),
+            "the rule gives",
+        );
+    }
+    yes(&format!(
+        "9: var(k*t, {law}) == k^2*var(t, {law}) | variance"
+    ));
+    yes(&format!(
+        "{{ | 1: finite var(t, {law})\n9: var(y*t, {law}) == y^2*var(t, {law}) | variance"
+    ));
+    for (stated, reason) in [
+        (
+            format!("var(k - t, {law}) == var(t, {law})"),
+            "the rule gives",
+        ),
+        (format!("var(t + 1/y, {law}) == var(t, {law})"), "finite"),
+        (format!("var(1/y + t, {law}) == var(t, {law})"), "finite"),
+        (format!("var(t - 1/y, {law}) == var(t, {law})"), "finite"),
+        (format!("var(t + t, {law}) == var(t, {law})"), "no constant"),
+        (format!("var(t - t, {law}) == var(t, {law})"), "no constant"),
+        (
+            format!("var(t^2 + t, {law}) == var(t, {law})"),
+            "no constant",
+        ),
+        (
+            format!("var(t*k, {law}) == var(t, {law})"),
+            "the rule gives",
+        ),
+        (
+            format!("var(k*t, {law}) == k*var(t, {law})"),
+            "the rule gives",
+        ),
+        (
+            format!("var(k*t, {law}) == k^2*var(t, t ~ uniform(0, 1))"),
+            "the rule gives",
+        ),
+        (format!("var(y*t, {law}) == y^2*var(t, {law})"), "finite"),
+        (
+            format!("var(1/y*t, {law}) == (1/y)^2*var(t, {law})"),
+            "finite",
+        ),
+        (
+            format!("var(k/t, {law}) == k^2*var(t, {law})"),
+            "the rule gives",
+        ),
+    ] {
+        no(&format!("9: {stated} | variance"), reason);
+    }
+    no(
+        &format!("{{ t real\n9: var(t*k, {law}) == t^2*var(k, {law}) | variance"),
+        "no constant",
     );
 }
 
@@ -836,18 +1028,21 @@ fn limits_of_means() {
 #[test]
 fn function_parameters() {
     yes("9: int(f(s), s = 0..1) == 1 | function");
-    no(
-        "9: int(f(s), s = 0..2) == 1 | function",
-        "no integral of a density".trim_start_matches("no "),
-    );
-    no("9: int(f(s), s = 0..1) == 2 | function", "the rule gives 1");
-    no(
-        "9: int(f(s)^2, s = 0..1) == 1 | function",
-        "integral of a density",
-    );
-    no(
-        "9: sum(f(s), s = 0..1) == 1 | function",
-        "integral of a density",
-    );
-    no("9: x == 1 | function", "integral of a density");
+    yes("9: finite int(h(s), s = 0..1) | function");
+    for (stated, reason) in [
+        ("int(f(s), s = 0..2) == 1", "of such a function"),
+        ("int(f(s), s = 0..1) == 2", "is 1, or finite"),
+        ("int(f(s)^2, s = 0..1) == 1", "of such a function"),
+        ("sum(f(s), s = 0..1) == 1", "of such a function"),
+        ("x == 1", "the integral of a function"),
+        ("int(h(s), s = 0..1) == 1", "of such a function"),
+        ("finite int(f(s), s = 0..1)", "of such a function"),
+        ("finite int(h(s), s = 0..2)", "of such a function"),
+        ("finite int(h(s)^2, s = 0..1)", "of such a function"),
+        ("finite sum(h(s), s = 0..1)", "of such a function"),
+        ("finite x", "the integral of a function"),
+        ("0 < x", "is 1, or finite"),
+    ] {
+        no(&format!("9: {stated} | function"), reason);
+    }
 }

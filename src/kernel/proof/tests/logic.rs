@@ -340,6 +340,54 @@ fn computed_values() {
 }
 
 #[test]
+fn what_a_condition_decides() {
+    for stated in [
+        "[0 < x] == 1",
+        "[x > 0] == 1",
+        "[0 <= y] == 1",
+        "[x != 0] == 1",
+        "[x == x + 0] == 1",
+        "[1 <= k <= n] == 1",
+        "[0 < x and 1 <= k] == 1",
+        "[x <= 0] == 0",
+        "[y < 0] == 0",
+        "[x == 0] == 0",
+        "[y != y + 0] == 0",
+        "[0 < y < 0] == 0",
+        "[1/y < 1 and k < 1] == 0",
+        "if(0 < x, 1/y, y) == 1/y",
+        "if(x <= 0, 1/y, y) == y",
+    ] {
+        yes(&format!("9: {stated} | decide"));
+    }
+    for (stated, reason) in [
+        ("[0 < y] == 1", "decide so"),
+        ("[0 < y] == 0", "decide so"),
+        ("[y <= 0] == 1", "decide so"),
+        ("[y <= 0] == 0", "decide so"),
+        ("[y != 0] == 1", "decide so"),
+        ("[y == 0] == 1", "decide so"),
+        ("[y == 0] == 0", "decide so"),
+        ("[0 < x] == 0", "decide so"),
+        ("[x <= 0] == 1", "decide so"),
+        ("[0 < x] == x", "decide so"),
+        ("[0 < x and 0 < y] == 1", "decide so"),
+        ("[1/y < 1/y + 1] == 1", "decide so"),
+        ("[1/y == 1/y] == 1", "decide so"),
+        ("[1/y + 1 <= 1/y] == 0", "decide so"),
+        ("[0 < x or 0 < y] == 1", "not made of relations"),
+        ("[not x <= 0] == 1", "not made of relations"),
+        ("if(0 < x, y, x) == x", "decide so"),
+        ("if(x <= 0, y, x) == y", "decide so"),
+        ("if(0 < y, y, x) == y", "decide so"),
+        ("x == 1", "depends on a condition"),
+        ("0 < [0 < x]", "an equation"),
+    ] {
+        no(&format!("9: {stated} | decide"), reason);
+    }
+}
+
+#[test]
 fn cases() {
     let cases = "{ | 5: k == 1\n6: 0 < x | order\n}\n{ | 7: k != 1\n8: 0 < x | order\n}\n
         { | 10: k < 1\n11: 0 < x | order\n}\n{ z real | 12: k != 1\n13: 0 < x | order\n}\n

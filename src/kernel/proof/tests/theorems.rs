@@ -211,3 +211,55 @@ fn a_link_with_a_regime() {
         qed 1",
     );
 }
+
+/// The law `any` has all the means that the statement has.
+#[test]
+fn a_law_that_is_not_given() {
+    proves(
+        "theorem
+        given real a
+        draw X ~ any
+        says var(a*X) == a^2*var(X)
+        example a = 0
+        proof
+        1: var(a*X) == var(a*X, X ~ any) | draw
+        2: var(X) == var(X, X ~ any) | draw
+        3: finite var(X, X ~ any) | finite 2
+        4: var(a*X, X ~ any) == a^2*var(X, X ~ any) | variance
+        5: a^2*var(X) == a^2*var(X, X ~ any) | congruence 2
+        6: var(a*X) == a^2*var(X) | chain 1 4 5
+        qed 6",
+    );
+    let finite = |law: &str, says: &str, e: &str| {
+        let text =
+            format!("given real j\ndraw X ~ {law}\ndraw Y ~ any\ndraw Z ~ beta(2, 2)\nsays {says}");
+        let proposition = parse_proposition(&text).expect(&text);
+        let fact = Fact::parse(&format!("finite {e}")).expect(e);
+        Proof::new(&proposition)
+            .step(fact, Rule::Finite, &[], &[])
+            .is_ok()
+    };
+    for (law, says, e, known) in [
+        ("any", "var(X) == 0", "var(X)", true),
+        ("any", "0 == mean(X)", "mean(X)", true),
+        (
+            "any",
+            "0 == 1 and 0 < 1 - mean((X - mean(X))^2)",
+            "mean(X)",
+            true,
+        ),
+        ("any", "mean(X*Y) == 0", "mean(X*Y)", true),
+        ("any", "mean(X*Z) == 0", "mean(X*Z)", false),
+        ("any", "var(X) == 0", "mean(X)", false),
+        ("any", "mean(X) == 0", "var(X)", false),
+        ("any", "mean(2*X) == 0", "mean(X)", false),
+        ("any", "mean(X, X ~ any) == 0", "mean(X, X ~ any)", false),
+        ("any", "mean(j) == 0", "mean(j)", false),
+        ("any", "sum(mean(X^j), j = 1..2) == 0", "mean(X^j)", false),
+        ("any", "mean(X^j) == 0", "mean(X^j)", true),
+        ("uniform(0, 1)", "mean(1/X) == 0", "mean(1/X)", false),
+        ("uniform(0, 1)", "var(X) == 0", "var(X)", false),
+    ] {
+        assert_eq!(finite(law, says, e), known, "{law}: {says}: {e}");
+    }
+}
