@@ -1,6 +1,6 @@
 """Compares this program with C FLINT 3, mpmath and the thesis's own way, in one run, and prints ratios.
 
-    python3 benches/rivals/run.py [--quick] [--rounds N] [--no-build]
+    python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM]
 
 Standard library only. Each rival that is not there is skipped with a message that says how to get it; see
 README.md beside this file. The jobs are interleaved: in each round every tool runs each job once, one after
@@ -145,7 +145,7 @@ def print_sweeps(costs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="one round, no sweep over 5 seconds")
+    parser.add_argument("--quick", action="store_true", help="one round, up to 1000 digits, no sweep at 1000")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
     options = parser.parse_args()

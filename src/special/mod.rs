@@ -10,11 +10,13 @@
 mod gamma_quotient;
 mod hyp2f1;
 mod pochhammer;
+pub mod ratio;
 pub mod sweep;
 
 pub use gamma_quotient::{beta, gamma_quotient};
 pub use hyp2f1::{hyp2f1, hyp2f1_regularized};
 pub use pochhammer::{binomial, pochhammer};
+pub use ratio::{gamma_ratio, gamma_ratio_exact};
 
 use crate::number::Interval;
 use rug::Integer;
