@@ -13,7 +13,7 @@ mod layout;
 mod moments;
 
 pub use layout::Layout;
-pub use moments::{Moment, MomentError, Moments, moments};
+pub use moments::{LogLinear, Moment, MomentError, Moments, mean_reciprocal, moments};
 
 use rug::{Integer, Rational};
 

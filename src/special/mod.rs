@@ -10,6 +10,7 @@
 mod gamma_quotient;
 mod hyp2f1;
 mod pochhammer;
+pub mod shell;
 
 pub use gamma_quotient::{beta, gamma_quotient};
 pub use hyp2f1::{hyp2f1, hyp2f1_regularized};
