@@ -14,7 +14,7 @@ mod moments;
 mod walk;
 
 pub use layout::Layout;
-pub use moments::{Moment, MomentError, Moments, moments};
+pub use moments::{LogLinear, Moment, MomentError, Moments, mean_reciprocal, moments};
 pub use walk::Walk;
 
 use rug::{Integer, Rational};

@@ -11,6 +11,7 @@ mod gamma_quotient;
 mod hyp2f1;
 mod pochhammer;
 pub mod ratio;
+pub mod shell;
 pub mod sweep;
 
 pub use gamma_quotient::{beta, gamma_quotient};
