@@ -9,6 +9,7 @@
 
 mod gamma_quotient;
 mod hyp2f1;
+pub mod one;
 mod pochhammer;
 pub mod ratio;
 pub mod shell;
@@ -21,6 +22,12 @@ pub use ratio::{gamma_ratio, gamma_ratio_exact};
 
 use crate::number::Interval;
 use rug::Integer;
+
+/// Bits whose unit is below 10^-digits: at least digits*log2(10), which is below 3.32193.
+fn digits_to_bits(digits: u32) -> u32 {
+    let bits = (u64::from(digits) * 332_193).div_ceil(100_000);
+    bits.try_into().unwrap_or(u32::MAX / 4)
+}
 
 /// n where the interval is the point -n, n = 0, 1, 2, ...
 fn nonpositive_integer(x: &Interval) -> Option<Integer> {

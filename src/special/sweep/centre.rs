@@ -2,7 +2,8 @@
 //! `E_k - 1 = 1/(k-1)` and `Var_k = k^2 (m-k+1)/((k-2) (k-1)^2 m)`; infinite for k = 1, the variance for k = 2.
 
 use super::Column;
-use super::plan::{Neighbours, digits_to_bits};
+use super::plan::Neighbours;
+use crate::special::digits_to_bits;
 use rug::Integer;
 use rug::integer::Order;
 

@@ -40,6 +40,8 @@
 //!
 //! Started at an end of the shell the same relation multiplies the error by 2^m (`tests.rs` shows it).
 //!
+//! Shells of one photon (strategy 1) need no relation: blocks of them are made by [`super::one`]'s series.
+//!
 //! **Cost.** A photon costs five products or quotients of a number by one word and one square; the start
 //! of a block, of up to some thousand neighbours, a series of as many terms as its digits need.
 
@@ -49,6 +51,7 @@ mod plan;
 mod start;
 mod words;
 
+use super::one;
 use crate::model::{Layout, Shell, Walk};
 use crate::number::{DomainError, Interval, fixed};
 use plan::{Neighbours, Plan};
@@ -61,6 +64,7 @@ const MOST_PHOTONS: u32 = 1 << 12;
 /// by [`sweep`].
 #[derive(Clone, Debug)]
 pub struct Sweep<'a> {
+    layout: &'a Layout,
     walk: Walk<'a>,
     /// What is left of the shell at hand.
     rest: Option<(Integer, Shell)>,
@@ -124,6 +128,7 @@ pub struct Value<'a> {
 /// out of reach of [`super::hyp2f1`].
 pub fn sweep<'a>(layout: &'a Layout, first: &Integer, last: &Integer, digits: u32) -> Sweep<'a> {
     Sweep {
+        layout,
         walk: layout.walk(first),
         rest: None,
         last: last.clone(),
@@ -140,14 +145,43 @@ impl Iterator for Sweep<'_> {
             return None;
         }
         let wanted = Integer::from(&self.last - &first) + 1u32;
+        let wanted = wanted.min(MOST_PHOTONS.into());
+        if let Some(block) = self.one_by_one(&first, wanted.to_usize_wrapping()) {
+            return Some(Ok(block));
+        }
         let left = Integer::from(&shell.count - &shell.position) + 1u32;
-        let some = wanted.min(left.clone()).min(MOST_PHOTONS.into());
+        let some = wanted.min(left.clone());
         let neighbours = Neighbours::new(&shell, some.to_usize_wrapping());
         if some < left {
             shell.position += &some;
             self.rest = Some((Integer::from(&first + &some), shell));
         }
         Some(neighbours.block(first, self.digits))
+    }
+}
+
+impl Sweep<'_> {
+    /// A block of shells of one photon each, where the series for them reaches.
+    fn one_by_one(&mut self, first: &Integer, count: usize) -> Option<Block> {
+        if *self.layout != Layout::One {
+            return None;
+        }
+        let columns = one::columns(first, count, self.digits)?;
+        self.walk = self.layout.walk(&Integer::from(first + count as u64));
+        let [excess, variance] = columns.map(|column| Column {
+            infinite: 0,
+            length: column.length,
+            words: column.words,
+            ulps: column.ulps,
+            exponent: column.exponent,
+        });
+        let first = first.clone();
+        Some(Block {
+            first,
+            count,
+            excess,
+            variance,
+        })
     }
 }
 

@@ -14,6 +14,7 @@
 //! ulps; this and k G grow with k, and those of the last photon hold for all.
 
 use crate::model::Shell;
+use crate::special::digits_to_bits;
 use rug::Integer;
 
 /// The start of a block is within so many ulps.
@@ -136,13 +137,4 @@ impl Plan {
 /// The least J with J^2 >= m.
 fn ceil_sqrt(m: &Integer) -> Integer {
     Integer::from(m - 1u32).sqrt() + 1u32
-}
-
-/// At least digits*log2(10).
-pub(super) fn digits_to_bits(digits: u32) -> u32 {
-    // log2(10) < 3.32193
-    (u64::from(digits) * 332_193)
-        .div_ceil(100_000)
-        .try_into()
-        .unwrap_or(u32::MAX / 4)
 }

@@ -133,6 +133,23 @@ fn a_whole_shell_adds_up() {
     }
 }
 
+#[test]
+fn shells_of_one_photon_come_in_blocks() {
+    let blocks: Vec<_> = sweep(&Layout::One, &2.into(), &9000.into(), 40).collect();
+    assert_eq!(blocks.len(), 3);
+    for block in blocks {
+        let block = block.expect("it converges");
+        for photon in block.photons().step_by(97) {
+            let truth = one::values(&photon.number(), 80).expect("k >= 2");
+            let truth = [truth.mean, truth.excess, truth.variance];
+            for (found, truth) in values(&photon).into_iter().zip(truth) {
+                let found = found.expect("finite").enclose(400);
+                assert!(found.contains(&truth) && found.agrees_to(40));
+            }
+        }
+    }
+}
+
 fn neighbours(m: u64) -> Neighbours {
     let first = Integer::from(m) * (m - 1) / 2u32 + 1u32;
     let shell = Layout::Triangular
