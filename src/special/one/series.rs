@@ -90,17 +90,17 @@ fn within(first: &Integer, count: usize, bits: u32) -> Option<[Column; 2]> {
         _ => return None,
     };
     odd(&Integer::from(first + count as u64))?;
-    Some(run(odd(first)?, count))
+    run(odd(first)?, count)
 }
 
-fn run<const N: usize>(first: u64, count: usize) -> [Column; 2] {
+fn run<const N: usize>(first: u64, count: usize) -> Option<[Column; 2]> {
     let shift = first.ilog2() - 1;
     let mut small = Small(Vec::new());
     let mut terms = 0;
     let mut values = [Vec::with_capacity(count * N), Vec::with_capacity(count * N)];
     for index in 0..count as u64 {
-        let odd = Odd::new(first + 2 * index, shift);
-        let (sums, n) = odd.sums::<N>(&mut small);
+        let odd = Odd::new(first + 2 * index, shift)?;
+        let (sums, n) = odd.sums::<N>(&mut small)?;
         // Fewer and fewer terms as k grows.
         terms = terms.max(n);
         let [sigma, tau] = sums;
@@ -114,10 +114,10 @@ fn run<const N: usize>(first: u64, count: usize) -> [Column; 2] {
         ulps,
         exponent: -(scale as i32),
     };
-    [
+    Some([
         column(excess, terms + 3, shift),
         column(variance, 3 * terms + 3, 2 * shift),
-    ]
+    ])
 }
 
 /// The divisors of all photons: 2j+1 and j+1, j = 0, 1, 2, ...
@@ -125,13 +125,13 @@ struct Small(Vec<[Divisor; 2]>);
 
 impl Small {
     #[inline]
-    fn at(&mut self, j: u64) -> [Divisor; 2] {
+    fn at(&mut self, j: u64) -> Option<[Divisor; 2]> {
         while self.0.len() as u64 <= j {
             let next = self.0.len() as u64;
             self.0
-                .push([Divisor::new(2 * next + 1), Divisor::new(next + 1)].map(nonzero));
+                .push([Divisor::new(2 * next + 1)?, Divisor::new(next + 1)?]);
         }
-        self.0[j as usize]
+        self.0.get(j as usize).copied()
     }
 }
 
@@ -143,25 +143,25 @@ struct Odd {
 }
 
 impl Odd {
-    fn new(odd: u64, shift: u32) -> Odd {
-        Odd {
-            odd: nonzero(Divisor::new(odd)),
-            square: nonzero(Divisor::new(odd * odd)),
+    fn new(odd: u64, shift: u32) -> Option<Odd> {
+        Some(Odd {
+            odd: Divisor::new(odd)?,
+            square: Divisor::new(odd * odd)?,
             shift,
-        }
+        })
     }
 
     /// sigma, tau and how many terms each has.
     #[inline]
-    fn sums<const N: usize>(&self, small: &mut Small) -> ([[u64; N]; 2], u64) {
+    fn sums<const N: usize>(&self, small: &mut Small) -> Option<([[u64; N]; 2], u64)> {
         let mut sigma = [0; N];
-        fixed::div_word(&mut sigma, 1, &small.at(1)[0]);
+        fixed::div_word(&mut sigma, 1, &small.at(1)?[0]);
         let (mut tau, mut last) = (sigma, sigma);
         let mut power = [0; N];
         fixed::div_word(&mut power, 1, &self.square);
         let mut j = 2;
         while power != [0; N] {
-            let [odd, next] = small.at(j);
+            let [odd, next] = small.at(j)?;
             let mut part = power;
             fixed::div_word(&mut part, 0, &odd);
             fixed::add(&mut sigma, &part);
@@ -174,7 +174,7 @@ impl Odd {
             fixed::div_word(&mut power, 0, &self.square);
             j += 1;
         }
-        ([sigma, tau], j - 1)
+        Some(([sigma, tau], j - 1))
     }
 
     /// `x := x*factor/odd` rounded down, where that is below 1.
@@ -204,9 +204,4 @@ impl Odd {
         }
         x
     }
-}
-
-/// The divisors of this file are 1 or more.
-fn nonzero(divisor: Option<Divisor>) -> Divisor {
-    divisor.expect("not 0")
 }
