@@ -1,75 +1,127 @@
 //! A block in GMP's integers, for any number of digits and any size of the shell: the relations of the
-//! parent as they stand, every value a multiple of 2^-scale.
+//! parent as they stand, every value a multiple of 2^-scale. Work is done in place: at a thousand digits a
+//! photon costs two quotients by a short number, a square, and little else.
 
 use super::Column;
-use super::plan::{Neighbours, Plan, slope};
+use super::plan::{Neighbours, Plan};
 use super::start::start;
 use crate::number::DomainError;
-use rug::Integer;
 use rug::integer::Order;
+use rug::ops::SubFrom;
+use rug::{Assign, Integer};
 
 pub(super) fn columns(block: &Neighbours, plan: &Plan) -> Result<[Column; 2], DomainError> {
     // Whole words for e, so that 1 can be added to it.
     let cut = cut(&plan.excess_ulps);
     let plan = &plan.with_scale(plan.scale.saturating_sub(cut).next_multiple_of(64) + cut);
-    let means = means(block, plan)?;
-    let excesses = || {
-        means
-            .iter()
-            .enumerate()
-            .map(|(index, g)| excess(block, plan, index, g))
-    };
-    let variances = || {
-        excesses()
-            .enumerate()
-            .map(|(index, e)| variance(block, plan, index, e))
-    };
     // Var_k <= l/a, from (2).
     let most = block.place(block.count - 1) / &block.inner;
-    Ok([
-        column(excesses(), &plan.excess_ulps, plan.scale, 0),
-        column(
-            variances(),
-            &plan.variance_ulps,
-            plan.scale,
-            most.significant_bits(),
-        ),
-    ])
+    let mut excess = Rounded::new(block, &plan.excess_ulps, plan.scale, 0);
+    let whole = most.significant_bits();
+    let mut variance = Rounded::new(block, &plan.variance_ulps, plan.scale, whole);
+    let mut photon = Photon::new(block, plan);
+    outwards(block, plan, |index, g| {
+        photon.set(index, g);
+        excess.put(index, &mut photon.excess);
+        variance.put(index, &mut photon.variance);
+    })?;
+    Ok([excess.column, variance.column])
 }
 
-/// g of all photons, outwards from the start.
-pub(super) fn means(block: &Neighbours, plan: &Plan) -> Result<Vec<Integer>, DomainError> {
+/// Shows g of all photons, outwards from the start.
+///
+/// # Errors
+/// As [`start`].
+pub(super) fn outwards(
+    block: &Neighbours,
+    plan: &Plan,
+    mut show: impl FnMut(usize, &Integer),
+) -> Result<(), DomainError> {
     let (a, m, b) = (&block.inner, &block.size, block.outer());
     let whole = Integer::from(m << plan.scale);
-    let mut means = vec![Integer::new(); block.count];
-    means[plan.start] = start(block, &block.place(plan.start), plan.scale)?;
-    // The factors (m-l) a and l b of (1), at the l of an index and the next.
-    let factors = |index: usize| {
-        let l = block.place(index);
-        (Integer::from(m - &l) * a, l * &b)
-    };
-    for index in plan.start..block.count - 1 {
-        let (near, far) = factors(index);
-        means[index + 1] = (&whole - near * &means[index]) / far;
+    let middle = start(block, &block.place(plan.start), plan.scale)?;
+    show(plan.start, &middle);
+    // The factors (m-l) a and l b of (1), at the l of the start.
+    let l = block.place(plan.start);
+    let (mut near, mut far) = (Integer::from(m - &l) * a, l * &b);
+    let (mut up, first) = (middle.clone(), (near.clone(), far.clone()));
+    for index in plan.start + 1..block.count {
+        solve(&mut up, &near, &whole, &far);
+        show(index, &up);
+        near -= a;
+        far += &b;
     }
+    (near, far) = first;
+    let mut down = middle;
     for index in (0..plan.start).rev() {
-        let (near, far) = factors(index);
-        means[index] = (&whole - far * &means[index + 1]) / near;
+        near += a;
+        far -= &b;
+        solve(&mut down, &far, &whole, &near);
+        show(index, &down);
     }
-    Ok(means)
+    Ok(())
 }
 
-/// e = k g - 1
-fn excess(block: &Neighbours, plan: &Plan, index: usize, g: &Integer) -> Integer {
-    let k = &block.inner + block.place(index);
-    k * g - (Integer::from(1) << plan.scale)
+/// `x := (whole - factor*x)/divisor` rounded down.
+fn solve(x: &mut Integer, factor: &Integer, whole: &Integer, divisor: &Integer) {
+    *x *= factor;
+    x.sub_from(whole);
+    *x /= divisor;
 }
 
-/// Equation (2).
-fn variance(block: &Neighbours, plan: &Plan, index: usize, e: Integer) -> Integer {
-    let (a, b, l) = (&block.inner, block.outer(), block.place(index));
-    let line = (Integer::from(&l * &b) << plan.scale) - slope(a, &block.size, &l) * &e;
-    line / Integer::from(a * &b) - (e.square() >> plan.scale)
+/// The values of a photon, from its g.
+struct Photon<'a> {
+    block: &'a Neighbours,
+    scale: u32,
+    /// b, D = a b, and one ulp times 2^scale
+    outer: Integer,
+    below: Integer,
+    one: Integer,
+    excess: Integer,
+    variance: Integer,
+    /// Held between photons for their memory alone.
+    slope: Integer,
+    square: Integer,
+}
+
+impl<'a> Photon<'a> {
+    fn new(block: &'a Neighbours, plan: &Plan) -> Photon<'a> {
+        let outer = block.outer();
+        Photon {
+            block,
+            scale: plan.scale,
+            below: Integer::from(&block.inner * &outer),
+            outer,
+            one: Integer::from(1) << plan.scale,
+            excess: Integer::new(),
+            variance: Integer::new(),
+            slope: Integer::new(),
+            square: Integer::new(),
+        }
+    }
+
+    fn set(&mut self, index: usize, g: &Integer) {
+        let l = self.block.place(index);
+        let k = Integer::from(&self.block.inner + &l);
+        // e = k g - 1
+        self.excess.assign(g * &k);
+        self.excess -= &self.one;
+        // C = 2 D + k (k m - b)
+        self.slope.assign(&k * &self.block.size);
+        self.slope -= &self.outer;
+        self.slope *= k;
+        self.slope += &self.below;
+        self.slope += &self.below;
+        // Equation (2), e^2 by itself.
+        self.variance.assign(l * &self.outer);
+        self.variance <<= self.scale;
+        self.slope *= &self.excess;
+        self.variance -= &self.slope;
+        self.variance /= &self.below;
+        self.square.assign(self.excess.square_ref());
+        self.square >>= self.scale;
+        self.variance -= &self.square;
+    }
 }
 
 /// How many bits are cut off the values, so that a bound of their errors is about half a word.
@@ -77,24 +129,39 @@ fn cut(ulps: &Integer) -> u32 {
     ulps.significant_bits().saturating_sub(32)
 }
 
-/// Values within `ulps`, each below 2^whole, as words.
-fn column(values: impl Iterator<Item = Integer>, ulps: &Integer, scale: u32, whole: u32) -> Column {
-    let cut = cut(ulps);
-    let ulps_kept = Integer::from(ulps >> cut) + 1u32;
-    let length = (scale + whole - cut).div_ceil(64).max(1);
-    let mut words = Vec::new();
-    for value in values {
-        let end = words.len() + length as usize;
-        let low = (value >> cut) - &ulps_kept;
-        words.extend(low.to_digits::<u64>(Order::Lsf));
-        words.resize(end, 0);
+/// Values within a bound of their errors, on their way into words.
+struct Rounded {
+    cut: u32,
+    /// The bound, after the cut.
+    ulps: Integer,
+    column: Column,
+}
+
+impl Rounded {
+    /// For values below 2^whole, in multiples of 2^-scale.
+    fn new(block: &Neighbours, ulps: &Integer, scale: u32, whole: u32) -> Rounded {
+        let cut = cut(ulps);
+        let ulps = Integer::from(ulps >> cut) + 1u32;
+        let length = (scale + whole - cut).div_ceil(64).max(1);
+        Rounded {
+            cut,
+            column: Column {
+                infinite: 0,
+                length: length as usize,
+                words: vec![0; length as usize * block.count],
+                // Below: the bound and what is cut off; above: the bound.
+                ulps: 2 * ulps.to_u64_wrapping() + 1,
+                exponent: (64 * length + cut) as i32 - scale as i32,
+            },
+            ulps,
+        }
     }
-    Column {
-        infinite: 0,
-        length: length as usize,
-        words,
-        // Below: the bound and what was cut off; above: the bound.
-        ulps: 2 * ulps_kept.to_u64_wrapping() + 1,
-        exponent: (64 * length + cut) as i32 - scale as i32,
+
+    fn put(&mut self, index: usize, value: &mut Integer) {
+        *value >>= self.cut;
+        *value -= &self.ulps;
+        let start = index * self.column.length;
+        let words = &mut self.column.words[start..start + self.column.length];
+        value.write_digits(words, Order::Lsf);
     }
 }

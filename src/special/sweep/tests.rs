@@ -165,8 +165,13 @@ fn errors(block: &Neighbours, scale: u32, start: usize) -> Vec<Integer> {
         ..Plan::new(block, 1).with_scale(scale)
     };
     let fine = Plan::new(block, 1).with_scale(scale + 300);
-    let rough = integers::means(block, &plan).expect("it converges");
-    let truth = integers::means(block, &fine).expect("it converges");
+    let means = |plan: &Plan| {
+        let mut means = vec![Integer::new(); block.count];
+        integers::outwards(block, plan, |index, g| means[index].clone_from(g))
+            .expect("it converges");
+        means
+    };
+    let (rough, truth) = (means(&plan), means(&fine));
     rough
         .iter()
         .zip(truth)
