@@ -219,17 +219,21 @@ pub fn leading_zeros(x: &[u64]) -> u32 {
 /// `precision` bits.
 pub fn enclose(integer: u64, x: &[u64], ulps: u64, exponent: i32, precision: u32) -> Interval {
     let scale = exponent - 64 * x.len() as i32;
-    let low = match (integer, x) {
-        (0, &[word]) => Float::with_val_round(precision, word, Round::Down).0,
-        (_, &[word]) => Float::with_val_round(precision, join(word, integer), Round::Down).0,
-        _ => Float::with_val_round(precision, whole(integer, x), Round::Down).0,
-    };
-    let high = match (integer, x) {
-        (_, &[word]) if integer < u64::MAX => {
-            let sum = join(word, integer) + u128::from(ulps);
-            Float::with_val_round(precision, sum, Round::Up).0
+    let (low, high) = match *x {
+        [word] if integer < u64::MAX => {
+            let low = join(word, integer);
+            let high = low + u128::from(ulps);
+            (
+                Float::with_val_round(precision, low, Round::Down).0,
+                Float::with_val_round(precision, high, Round::Up).0,
+            )
         }
-        _ => Float::with_val_round(precision, whole(integer, x) + ulps, Round::Up).0,
+        _ => {
+            let mut whole = whole(integer, x);
+            let low = Float::with_val_round(precision, &whole, Round::Down).0;
+            whole += ulps;
+            (low, Float::with_val_round(precision, &whole, Round::Up).0)
+        }
     };
     // A power of two changes no digit.
     Interval::new(low << scale, high << scale)
@@ -237,9 +241,16 @@ pub fn enclose(integer: u64, x: &[u64], ulps: u64, exponent: i32, precision: u32
 
 /// All words as one integer.
 fn whole(integer: u64, x: &[u64]) -> Integer {
+    const FEW: usize = 16;
+    let n = x.len();
+    if n < FEW {
+        let mut words = [integer; FEW];
+        words[..n].copy_from_slice(x);
+        return Integer::from_digits(&words[..=n], Order::Lsf);
+    }
     let mut value = Integer::from_digits(x, Order::Lsf);
     if integer != 0 {
-        value += Integer::from(integer) << (64 * x.len() as u32);
+        value += Integer::from(integer) << (64 * n as u32);
     }
     value
 }

@@ -19,7 +19,7 @@ const MOST_DIGITS: u32 = 1_000_000;
 const ROUNDS: u32 = 6;
 
 /// The bits of a relative width below 10^-digits: log2 10 < 3322/1000.
-fn bits_of(digits: u32) -> u32 {
+pub(super) fn bits_of(digits: u32) -> u32 {
     (u64::from(digits) * 3322 / 1000) as u32 + 2
 }
 
@@ -33,25 +33,35 @@ pub fn enclose(quantity: Quantity, shell: &Shell, digits: u32) -> Result<Interva
         return Err(ShellError::Outside);
     }
     let bits = bits_of(digits);
-    if let Ok(scene) = Scene::new(shell) {
-        let sketch = Sketch::of(&scene);
-        if words::is_cheapest(&sketch, bits) {
-            let working = Method::Words.working_bits(quantity, &sketch, bits);
-            let value = words::certified(quantity, &scene, working, bits);
-            if let Ok(value) = value {
-                return Ok(value);
-            }
-        }
+    if let Ok(scene) = Scene::new(shell)
+        && let Some(value) = by_words(quantity, &scene, bits)
+    {
+        return Ok(value);
     }
     let sketch = Sketch::new(shell)?;
-    let mut methods = ranked(quantity, &sketch, bits);
-    while let Some((method, working)) = methods.pop() {
+    for (method, working) in ranked(quantity, &sketch, bits) {
         match climb(method, quantity, shell, working, bits) {
             Err(ShellError::Outside | ShellError::Lost) => {}
             result => return result,
         }
     }
     Err(ShellError::Outside)
+}
+
+/// The short way for most shells and up to a thousand digits: without a look at the other methods.
+fn by_words(quantity: Quantity, scene: &Scene, bits: u32) -> Option<Interval> {
+    let sketch = Sketch::of(scene);
+    if !words::is_cheapest(&sketch, bits) {
+        return None;
+    }
+    let mut working = Method::Words.working_bits(quantity, &sketch, bits);
+    for _ in 0..ROUNDS {
+        match words::certified(quantity, scene, working, bits) {
+            Err(ShellError::Lost) => working += 16,
+            result => return result.ok(),
+        }
+    }
+    None
 }
 
 /// The method that [`enclose`] tries first, and its working precision in bits.
@@ -69,25 +79,19 @@ pub fn choose(quantity: Quantity, shell: &Shell, digits: u32) -> Result<(Method,
         return Ok((Method::Words, working));
     }
     ranked(quantity, &sketch, bits)
-        .pop()
+        .next()
         .ok_or(ShellError::Outside)
 }
 
-/// The methods with their working precisions, the cheapest last.
-fn ranked(quantity: Quantity, sketch: &Sketch, bits: u32) -> Vec<(Method, u32)> {
-    let mut methods: Vec<(f64, Method, u32)> = Method::ALL
-        .into_iter()
-        .map(|method| {
-            let working = method.working_bits(quantity, sketch, bits);
-            (method.cost(sketch, working), method, working)
-        })
-        .filter(|(cost, ..)| cost.is_finite())
-        .collect();
-    methods.sort_by(|a, b| b.0.total_cmp(&a.0));
-    methods
-        .into_iter()
-        .map(|(_, method, bits)| (method, bits))
-        .collect()
+/// The methods with their working precisions, the cheapest first.
+fn ranked(quantity: Quantity, sketch: &Sketch, bits: u32) -> impl Iterator<Item = (Method, u32)> {
+    let mut methods = Method::ALL.map(|method| {
+        let working = method.working_bits(quantity, sketch, bits);
+        (method.cost(sketch, working), method, working)
+    });
+    methods.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let usable = methods.into_iter().filter(|(cost, ..)| cost.is_finite());
+    usable.map(|(_, method, working)| (method, working))
 }
 
 /// One method, with more bits until the relative width is below 2^-bits.

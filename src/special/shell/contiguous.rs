@@ -98,7 +98,7 @@ pub(super) fn walk(
     while walk.l > shell.position {
         walk.down()?;
     }
-    numbers.from_function(quantity, &walk.function)
+    numbers.by_function(quantity, &walk.function)
 }
 
 /// The photon from which errors shrink both ways, `m/(1+c) = m Va/(2 Va + V)` rounded into 1..m.

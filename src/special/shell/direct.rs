@@ -29,7 +29,7 @@ pub(super) fn enclose(
     if shell.volume >= shell.inner {
         return Err(ShellError::Outside);
     }
-    numbers.from_function(quantity, &function(shell, bits + GUARD)?)
+    numbers.by_function(quantity, &function(shell, bits + GUARD)?)
 }
 
 fn function(shell: &Shell, precision: u32) -> Result<Interval, ShellError> {

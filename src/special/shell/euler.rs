@@ -43,7 +43,7 @@ pub(super) fn enclose(
     }
     let integral = Integral::new(shell, bits + GUARD)?;
     let function = integral.fejer(nodes as u32)?;
-    numbers.from_function(quantity, &function)
+    numbers.by_function(quantity, &function)
 }
 
 struct Integral<'a> {

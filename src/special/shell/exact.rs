@@ -40,7 +40,7 @@ pub(super) fn enclose(
     let value = value.ok_or(DomainError::Certain)?;
     let function = mean(&value, shell, bits + GUARD)?;
     let function = function.mul(&Interval::from_rational(&shell.inner, bits + GUARD));
-    numbers.from_function(quantity, &function)
+    numbers.by_function(quantity, &function)
 }
 
 /// a + b ln(1 + V/Va) to about 2^-bits of its size.
@@ -60,11 +60,11 @@ fn mean(value: &LogLinear, shell: &Shell, bits: u32) -> Result<Interval, ShellEr
 /// ln(1 + V/Va)
 fn logarithm(shell: &Shell, precision: u32) -> Result<Interval, ShellError> {
     let both = Rational::from(&shell.inner * 2u32) + &shell.volume;
-    let u = Rational::from(&shell.volume / both);
+    let u = &shell.volume / both;
     let series = Series {
         w: &u.clone().square(),
-        q: Integer::from(1),
-        s: Integer::from(3),
+        q: &Integer::from(1),
+        s: &Integer::from(3),
         step: 2,
     };
     let x = series.sum(precision)?;
@@ -101,7 +101,7 @@ fn at_the_centre(quantity: Quantity, shell: &Shell, bits: u32) -> Result<Interva
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     if sketch.inside == 0.0 {
-        return 1000.0;
+        return 5000.0;
     }
     if sketch.s > MOST_PHOTONS {
         return f64::INFINITY;
@@ -111,7 +111,8 @@ pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     let lost = m * (2.0 * m / sketch.w.recip().min(m)).log2().max(1.0);
     let bits = f64::from(bits + GUARD) + lost;
     let terms = bits / (-2.0 * u.log2());
-    let recurrence = (m + sketch.l) * (1200.0 + lost * 1.0);
-    let term_bits = (2.0 * terms).log2() - 2.0 * u.log2();
-    recurrence + sketch::splitting(terms, term_bits, bits)
+    let words = lost / 64.0;
+    let steps = (m + sketch.l) * (5900.0 + 330.0 * words + 9.0 * words * words);
+    let term_bits = (2.0 * terms + 3.0).log2() - 2.0 * u.log2();
+    55_000.0 + steps + sketch::splitting(terms, term_bits, bits)
 }

@@ -3,8 +3,8 @@
 use super::quantity::Quantity;
 use super::sketch::Sketch;
 use super::{
-    ShellError, direct, downwards, euler, exact, middle, moments, pfaff, scene::Scene, splitting,
-    thesis, upwards, words,
+    ShellError, choice, direct, downwards, euler, exact, middle, moments, pfaff, scene::Scene,
+    splitting, thesis, upwards, words,
 };
 use crate::model::Shell;
 use crate::number::Interval;
@@ -89,10 +89,22 @@ impl Method {
             Method::Thesis => sketch.loss(quantity) + 8.0,
             _ => sketch.loss(quantity),
         };
-        bits.saturating_add(loss.min(1e9) as u32).saturating_add(4)
+        bits.saturating_add(loss.min(1e9).ceil() as u32)
+            .saturating_add(5)
     }
 
-    /// Nanoseconds, about, with a working precision of so many bits; infinite outside the domain.
+    /// The working precision, in bits, from which so many digits remain, about; 0 for no shell.
+    pub fn bits_for(self, quantity: Quantity, shell: &Shell, digits: u32) -> u32 {
+        let bits = choice::bits_of(digits);
+        Sketch::new(shell).map_or(0, |sketch| self.working_bits(quantity, &sketch, bits))
+    }
+
+    /// Machine instructions that [`Method::enclose`] is expected to take; infinite outside the domain, and for no shell.
+    pub fn estimate(self, shell: &Shell, bits: u32) -> f64 {
+        Sketch::new(shell).map_or(f64::INFINITY, |sketch| self.cost(&sketch, bits))
+    }
+
+    /// Instructions, about, with a working precision of so many bits; infinite outside the domain.
     pub(super) fn cost(self, sketch: &Sketch, bits: u32) -> f64 {
         match self {
             Method::Direct => direct::cost(sketch, bits),

@@ -4,7 +4,7 @@
 //! Domain: `Va > 0`, at most 2^17 steps. The way to do whole shells; for one photon it costs the steps to it
 //! beside the series that it starts with.
 
-use super::quantity::Quantity;
+use super::quantity::{Quantity, check};
 use super::sketch::Sketch;
 use super::{ShellError, contiguous};
 use crate::model::Shell;
@@ -15,9 +15,7 @@ pub(super) fn enclose(
     shell: &Shell,
     bits: u32,
 ) -> Result<Interval, ShellError> {
-    if shell.inner <= 0 || shell.volume <= 0 || shell.count < 1 {
-        return Err(ShellError::Outside);
-    }
+    check(shell)?;
     contiguous::walk(quantity, shell, contiguous::middle(shell), bits)
 }
 

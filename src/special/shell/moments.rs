@@ -127,5 +127,5 @@ pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     if terms > f64::from(MOST_TERMS) {
         return f64::INFINITY;
     }
-    3.0 * terms * sketch::interval_step(bits)
+    5.5 * terms * sketch::interval_step(bits)
 }

@@ -28,6 +28,21 @@ impl Quantity {
     ];
 }
 
+/// # Errors
+/// `NoShell` for no shell of the model.
+pub(super) fn check(shell: &Shell) -> Result<(), ShellError> {
+    let Shell {
+        inner,
+        volume,
+        position: l,
+        count: m,
+    } = shell;
+    if *l < 1 || l > m || *inner < 0 || *volume <= 0 {
+        return Err(ShellError::NoShell);
+    }
+    Ok(())
+}
+
 /// The rational numbers of a shell, A = Va+V.
 pub(super) struct Numbers {
     /// w = V/A
@@ -44,10 +59,8 @@ impl Numbers {
     /// # Errors
     /// `NoShell` for no shell of the model.
     pub(super) fn new(shell: &Shell) -> Result<Numbers, ShellError> {
+        check(shell)?;
         let (l, m) = (&shell.position, &shell.count);
-        if *l < 1 || l > m || shell.inner < 0 || shell.volume <= 0 {
-            return Err(ShellError::NoShell);
-        }
         let outer = Rational::from(&shell.inner + &shell.volume);
         let s = Integer::from(m + 1u32);
         Ok(Numbers {
@@ -90,7 +103,7 @@ impl Numbers {
     }
 
     /// The quantity from an enclosure of F, for `Va > 0`.
-    pub(super) fn from_function(
+    pub(super) fn by_function(
         &self,
         quantity: Quantity,
         function: &Interval,

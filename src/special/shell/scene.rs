@@ -14,7 +14,7 @@ pub(super) struct Fraction {
 impl Fraction {
     /// In lowest terms; `None` for a denominator 0.
     fn reduced(above: u64, below: u64) -> Option<Fraction> {
-        let (mut a, mut b) = (above, below);
+        let (mut a, mut b) = (below, above);
         while b != 0 {
             (a, b) = (b, a % b);
         }

@@ -8,7 +8,7 @@
 //! 2 log2 k bits, which are lost, as is log2 k of E - 1. The intervals say so. (Why 2.104 holds: `quantity`.)
 
 use super::ShellError;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, check};
 use super::sketch::{self, Sketch};
 use crate::model::Shell;
 use crate::number::Interval;
@@ -20,7 +20,8 @@ pub(super) fn enclose(
     shell: &Shell,
     bits: u32,
 ) -> Result<Interval, ShellError> {
-    if shell.inner <= 0 || shell.volume <= 0 || shell.position < 1 {
+    check(shell)?;
+    if shell.inner == 0 {
         return Err(ShellError::Outside);
     }
     let number = |value: &Rational| Interval::from_rational(value, bits);
@@ -53,5 +54,5 @@ pub(super) fn enclose(
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     // The general function tries harder and allocates more than a series of its own.
-    3.0 * sketch.pfaff_terms(f64::from(bits) + 48.0) * sketch::interval_step(bits) + 5000.0
+    3.0 * sketch.pfaff_terms(f64::from(bits) + 48.0) * sketch::interval_step(bits) + 50_000.0
 }

@@ -42,10 +42,10 @@ use crate::number::fixed::{self, Divisor};
 const FEW: usize = 8;
 
 /// The most words of a number: beyond, splitting is faster by far.
-const MOST: usize = 256;
+const MOST: usize = 1024;
 
 /// The most terms: the bound of the floats' errors holds up to here.
-const MOST_TERMS: u64 = 1 << 14;
+const MOST_TERMS: u64 = 1 << 16;
 
 /// A number from `low` to `low + ulps`, `low = integer + x`.
 struct Enclosed<'a> {
@@ -77,7 +77,7 @@ pub(super) fn certified(
     // So many blocks at most that their ulps stay below 2^-bits; then all counts fit a word.
     let guard = 33 - bits.leading_zeros();
     let words = (bits + guard).div_ceil(64) as usize;
-    let bits = bits.max(64 * words as u32 - 60);
+    let bits = bits.max(64 * words as u32 - room(quantity, scene));
     if words <= FEW {
         evaluate(
             quantity,
@@ -90,6 +90,15 @@ pub(super) fn certified(
         evaluate(quantity, scene, bits, needed, &mut vec![0; 5 * words])
     } else {
         Err(ShellError::Outside)
+    }
+}
+
+/// The bits of a word that the error of x may fill, so that the error of the quantity fits one too.
+fn room(quantity: Quantity, scene: &Scene) -> u32 {
+    match quantity {
+        // An error of x counts s/(1-w) <= 2 s times.
+        Quantity::Variance => scene.s.leading_zeros().saturating_sub(5).max(1),
+        _ => 60,
     }
 }
 
@@ -261,7 +270,7 @@ impl Plan<'_> {
         let (mut above, mut below) = (p * scene.q as f64, d * scene.s as f64);
         let mut goal = power(-i64::from(bits));
         // T_n W 2^(64 known), too large.
-        let mut size = ratio * (1.0 + 1.0 / (1u64 << 21) as f64);
+        let mut size = ratio * (1.0 + 1.0 / (1u64 << 16) as f64);
         for n in 0..MOST_TERMS {
             if size <= goal {
                 return Ok(n);
@@ -296,7 +305,7 @@ fn power(exponent: i64) -> f64 {
 /// Whether no other method can be cheaper: a shell whose volumes are in the domain, and so few bits that
 /// products of whole numbers gain nothing.
 pub(super) fn is_cheapest(sketch: &Sketch, bits: u32) -> bool {
-    bits <= 1200 && sketch.w <= 0.5
+    bits <= 3400 && sketch.w <= 0.5
 }
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
@@ -306,5 +315,5 @@ pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     let terms = sketch.pfaff_terms(f64::from(bits));
     let blocks = terms / (64.0 / sketch.term_bits(terms)).floor().max(1.0);
     let words = f64::from(bits) / 64.0;
-    200.0 + 4.0 * terms + blocks * (15.0 + 3.5 * words) + 2.0 * words * words
+    1400.0 + 12.0 * terms + blocks * (220.0 + 14.0 * words) + 12.5 * words * words
 }
