@@ -1,12 +1,14 @@
 //! The program's own side of the comparison: the same jobs as `flint.c`, printed the same way.
 //!
-//!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: B, both from one call)
+//!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: E, V, or B for both)
 //!     ours sweep   A B D                all photons A..B: sweep A B D COUNT
 //!
 //! Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
 
 use claimcheck::model::Layout;
-use claimcheck::special::sweep::{Value, sweep};
+use claimcheck::number::Interval;
+use claimcheck::special::shell::{Quantity, enclose};
+use claimcheck::special::sweep::sweep;
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -29,43 +31,40 @@ fn main() -> ExitCode {
 fn points(photons: &str, digits: &str) -> Option<()> {
     for k in photons.split(',') {
         for d in digits.split(',') {
-            point(k.parse().ok()?, d.parse().ok()?);
+            point(k.parse().ok()?, d.parse().ok()?)?;
         }
     }
     Some(())
 }
 
-fn point(k: u64, digits: u32) {
-    let seconds = best(|| {
-        black_box(values(k, digits, |mean, variance| {
-            black_box((mean.ulps, variance.ulps))
-        }));
-    });
-    let bits = digits * 3322 / 1000 + 64;
-    let text = values(k, digits, |_, variance| {
-        variance.enclose(bits).to_decimal(digits as usize)
-    });
-    println!(
-        "point B {k} {digits} {seconds:.6e} {}",
-        text.unwrap_or_default()
-    );
+fn point(k: u64, digits: u32) -> Option<()> {
+    let shell = Layout::Triangular.shell(&k.into())?;
+    for (job, quantity) in [('E', Quantity::Mean), ('V', Quantity::Variance)] {
+        let call = || enclose(quantity, black_box(&shell), digits);
+        print_point(job, k, digits, best(call), &call().ok()?);
+    }
+    let bits = digits * 3322 / 1000 + 16;
+    let both = || {
+        let block = sweep(&Layout::Triangular, &k.into(), &k.into(), digits).next()?;
+        let block = block.ok()?;
+        let photon = block.photons().next()?;
+        Some([photon.mean()?, photon.variance()?].map(|value| value.enclose(bits)))
+    };
+    print_point('B', k, digits, best(both), &both()?[1]);
+    Some(())
 }
 
-/// What `take` makes of the mean and the variance of one photon.
-fn values<T>(k: u64, digits: u32, take: impl Fn(Value, Value) -> T) -> Option<T> {
-    let block = sweep(&Layout::Triangular, &k.into(), &k.into(), digits)
-        .next()?
-        .ok()?;
-    let photon = block.photons().next()?;
-    Some(take(photon.mean()?, photon.variance()?))
+fn print_point(job: char, k: u64, digits: u32, seconds: f64, value: &Interval) {
+    let text = value.to_decimal(digits as usize);
+    println!("point {job} {k} {digits} {seconds:.6e} {text}");
 }
 
 /// The least seconds a call took, over rounds of at least a millisecond.
-fn best(call: impl Fn()) -> f64 {
+fn best<T>(call: impl Fn() -> T) -> f64 {
     let round = || {
         let start = Instant::now();
         for calls in 1.. {
-            call();
+            black_box(call());
             let spent = start.elapsed().as_secs_f64();
             if spent > 1e-3 {
                 return spent / f64::from(calls);

@@ -5,6 +5,10 @@
 //! [`DomainError`] says why there is none: `Certain` where the function has no value, `Possible`
 //! where a pole may lie inside or the method's cap of work was reached.
 //!
+//! The means and variances of the model have methods of their own, several for each job and a choice
+//! among them: [`shell`] for a photon of a shell, [`sweep`] for all photons of a range, [`one`] for strategy
+//! 1's logarithms, [`ratio`] for `Gamma(x)/Gamma(y)`.
+//!
 //! [`DomainError`]: crate::number::DomainError
 
 mod gamma_quotient;
