@@ -1,6 +1,7 @@
 # make check   sets the machine up, builds the program and checks the whole book
 # make test    sets the machine up and runs all tests
-# make bench   times parsing and evaluation
+# make bench   times parsing, evaluation and the special functions
+# make rivals  compares the special functions with other programs, where they are installed
 #
 # The first build on a machine compiles GMP and MPFR and runs their own tests: about five minutes,
 # once, kept in ~/.cache/gmp-mpfr-sys for every later build.
@@ -9,7 +10,7 @@ SHELL := /bin/bash
 CARGO ?= cargo
 export PATH := $(PATH):$(HOME)/.cargo/bin
 
-.PHONY: check test bench tools
+.PHONY: check test bench rivals tools
 
 check: tools
 	$(CARGO) build --release --locked
@@ -20,6 +21,9 @@ test: tools
 
 bench: tools
 	$(CARGO) bench --locked $(ARGS)
+
+rivals: tools
+	python3 benches/rivals/run.py $(ARGS)
 
 # GMP's build needs a C compiler, m4 and diffutils (diff, cmp); m4 and gcc are missing on a plain Debian.
 tools:

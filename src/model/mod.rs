@@ -11,9 +11,11 @@
 
 mod layout;
 mod moments;
+mod walk;
 
 pub use layout::Layout;
-pub use moments::{Moment, MomentError, Moments, moments};
+pub use moments::{LogLinear, Moment, MomentError, Moments, mean_reciprocal, moments};
+pub use walk::Walk;
 
 use rug::{Integer, Rational};
 

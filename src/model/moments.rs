@@ -42,9 +42,9 @@ pub enum Moment {
 
 /// `rational + logarithm * ln(1 + V/Va)`; where `Va = 0` the second is 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Linear {
-    rational: Rational,
-    logarithm: Rational,
+pub struct LogLinear {
+    pub rational: Rational,
+    pub logarithm: Rational,
 }
 
 /// Why there are no exact moments.
@@ -66,6 +66,29 @@ pub enum MomentError {
 /// # Errors
 /// [`MomentError`]: a shell of too many photons, or no shell at all.
 pub fn moments(k: &Integer, shell: &Shell) -> Result<Moments, MomentError> {
+    let (l, m) = small(shell)?;
+    let (first, second) = linear_means(shell, l, m);
+    let square = Rational::from(k.clone() * k);
+    Ok(Moments {
+        mean: Moment::new(first.map(|f| f.times(&Rational::from(k))), shell)?,
+        mean_square: Moment::new(second.map(|s| s.times(&square)), shell)?,
+    })
+}
+
+/// The exact mean of `1/U`; `None` where it is infinite.
+///
+/// # Errors
+/// As [`moments`].
+pub fn mean_reciprocal(shell: &Shell) -> Result<Option<LogLinear>, MomentError> {
+    let (l, m) = small(shell)?;
+    Ok(match shell.inner == 0 {
+        true => at_the_centre(&shell.volume, l, m).0,
+        false => Some(inverse(shell, l, m)),
+    })
+}
+
+/// l and m, where the exact numbers stay in proportion.
+fn small(shell: &Shell) -> Result<(u32, u32), MomentError> {
     let (l, m) = (&shell.position, &shell.count);
     if *l < 1 || l > m || shell.inner < 0 || shell.volume <= 0 {
         return Err(MomentError::NoShell);
@@ -79,16 +102,11 @@ pub fn moments(k: &Integer, shell: &Shell) -> Result<Moments, MomentError> {
     if (bits[0] + bits[1]).saturating_mul(m.into()) > MOST_BITS {
         return Err(MomentError::TooLarge);
     }
-    let (first, second) = linear_means(shell, l, m);
-    let square = Rational::from(k.clone() * k);
-    Ok(Moments {
-        mean: Moment::new(first.map(|f| f.times(&Rational::from(k))), shell)?,
-        mean_square: Moment::new(second.map(|s| s.times(&square)), shell)?,
-    })
+    Ok((l, m))
 }
 
 /// F and S; `None` is `+inf`.
-fn linear_means(shell: &Shell, l: u32, m: u32) -> (Option<Linear>, Option<Linear>) {
+fn linear_means(shell: &Shell, l: u32, m: u32) -> (Option<LogLinear>, Option<LogLinear>) {
     if shell.inner == 0 {
         return at_the_centre(&shell.volume, l, m);
     }
@@ -111,7 +129,7 @@ impl Moments {
 }
 
 impl Moment {
-    fn new(value: Option<Linear>, shell: &Shell) -> Result<Moment, MomentError> {
+    fn new(value: Option<LogLinear>, shell: &Shell) -> Result<Moment, MomentError> {
         let Some(value) = value else {
             return Ok(Moment::Infinite);
         };
@@ -127,26 +145,26 @@ impl Moment {
     }
 }
 
-impl Linear {
-    fn rational(value: Rational) -> Linear {
-        Linear {
+impl LogLinear {
+    fn rational(value: Rational) -> LogLinear {
+        LogLinear {
             rational: value,
             logarithm: Rational::new(),
         }
     }
 
-    fn times(mut self, factor: &Rational) -> Linear {
+    fn times(mut self, factor: &Rational) -> LogLinear {
         self.rational *= factor;
         self.logarithm *= factor;
         self
     }
 
-    fn plus(mut self, term: &Rational) -> Linear {
+    fn plus(mut self, term: &Rational) -> LogLinear {
         self.rational += term;
         self
     }
 
-    fn minus(mut self, other: &Linear) -> Linear {
+    fn minus(mut self, other: &LogLinear) -> LogLinear {
         self.rational -= &other.rational;
         self.logarithm -= &other.logarithm;
         self
@@ -154,27 +172,30 @@ impl Linear {
 }
 
 /// F and S for `Va = 0`.
-fn at_the_centre(volume: &Rational, l: u32, m: u32) -> (Option<Linear>, Option<Linear>) {
+fn at_the_centre(volume: &Rational, l: u32, m: u32) -> (Option<LogLinear>, Option<LogLinear>) {
     let first = (l > 1).then(|| Rational::from((m, l - 1)) / volume);
     let second = (l > 2).then(|| {
         let above = Integer::from(m) * (m - 1);
         let below = Integer::from(l - 1) * (l - 2);
         Rational::from((above, below)) / volume / volume
     });
-    (first.map(Linear::rational), second.map(Linear::rational))
+    (
+        first.map(LogLinear::rational),
+        second.map(LogLinear::rational),
+    )
 }
 
 /// F(l, m) for `Va > 0` and `0 <= l <= m+1`.
-fn inverse(shell: &Shell, l: u32, m: u32) -> Linear {
+fn inverse(shell: &Shell, l: u32, m: u32) -> LogLinear {
     let (a, v) = (&shell.inner, &shell.volume);
     let outer = Rational::from(a + v);
     if l == 0 {
-        return Linear::rational(a.clone().recip());
+        return LogLinear::rational(a.clone().recip());
     }
     if l > m {
-        return Linear::rational(outer.recip());
+        return LogLinear::rational(outer.recip());
     }
-    let mut f = Linear {
+    let mut f = LogLinear {
         rational: Rational::new(),
         logarithm: v.clone().recip(),
     };
@@ -191,7 +212,7 @@ fn inverse(shell: &Shell, l: u32, m: u32) -> Linear {
 }
 
 /// S(l, m) for `Va > 0` and `1 <= l <= m`.
-fn inverse_square(shell: &Shell, l: u32, m: u32) -> Linear {
+fn inverse_square(shell: &Shell, l: u32, m: u32) -> LogLinear {
     let below = inverse(shell, l - 1, m - 1);
     let above = inverse(shell, l, m - 1);
     below
@@ -208,7 +229,7 @@ mod tests {
 
     /// The mean of `U^-p` from the integral itself: with `r = Va/V`, divide the polynomial
     /// `x^(l-1) (1-x)^(m-l)` by `(x + r)^p` and integrate the quotient and the remainder.
-    fn by_division(shell: &Shell, power: u32) -> Linear {
+    fn by_division(shell: &Shell, power: u32) -> LogLinear {
         let (l, m) = (
             shell.position.to_u32().expect("small"),
             shell.count.to_u32().expect("small"),
@@ -242,7 +263,7 @@ mod tests {
             / Integer::from(Integer::factorial(l - 1))
             / Integer::from(Integer::factorial(m - l));
         let logarithm = remainders.pop().expect("one or two");
-        let mut value = Linear {
+        let mut value = LogLinear {
             rational,
             logarithm,
         }
@@ -260,7 +281,7 @@ mod tests {
     }
 
     /// k F and k^2 S, before they become exact numbers.
-    fn both(k: u32, shell: &Shell) -> (Linear, Linear) {
+    fn both(k: u32, shell: &Shell) -> (LogLinear, LogLinear) {
         let (l, m) = (shell.position.to_u32(), shell.count.to_u32());
         let (l, m) = (l.expect("small"), m.expect("small"));
         let (first, second) = linear_means(shell, l, m);
@@ -323,7 +344,7 @@ mod tests {
         // ln((m+1)/(m-1)) in strategy 2.
         for m in [2u32, 3, 7, 20, 101] {
             let before = m * (m - 1) / 2;
-            let mut sum = Linear::rational(Rational::new());
+            let mut sum = LogLinear::rational(Rational::new());
             for k in before + 1..=before + m {
                 let (mean, _) = both(k, &triangular(k));
                 sum = mean

@@ -7,6 +7,7 @@
 
 pub mod convert;
 mod exact;
+pub mod fixed;
 mod interval;
 mod refine;
 

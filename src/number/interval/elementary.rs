@@ -67,6 +67,24 @@ impl Interval {
         ))
     }
 
+    /// All ln(1 + x), without the rounding of 1 + x.
+    ///
+    /// # Errors
+    /// `Certain` where x <= -1, `Possible` where it may be.
+    pub fn ln_1p(&self) -> Result<Interval, DomainError> {
+        if self.high <= -1 {
+            return Err(DomainError::Certain);
+        }
+        if self.low <= -1 {
+            return Err(DomainError::Possible);
+        }
+        let precision = self.precision();
+        Ok(Interval::new(
+            down(precision, self.low.ln_1p_ref()),
+            up(precision, self.high.ln_1p_ref()),
+        ))
+    }
+
     /// All x^y. For x > 0 it is exp(y ln x), monotone in each argument, so that the corners of
     /// X x Y bound it; x may touch 0 where y > 0. Where y is one integer, [`Interval::powi`].
     ///

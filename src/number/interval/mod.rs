@@ -66,7 +66,7 @@ fn clamp_precision(precision: u32) -> u32 {
 impl Interval {
     /// The interval from ends that are known to be in order and of one precision. What MPFR could
     /// not say (NaN) becomes the whole line, the sign of a zero is dropped.
-    fn new(mut low: Float, mut high: Float) -> Interval {
+    pub(super) fn new(mut low: Float, mut high: Float) -> Interval {
         let precision = low.prec().max(high.prec());
         if low.is_nan() || high.is_nan() || low > high {
             return Interval::whole_line(precision);

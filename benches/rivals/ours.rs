@@ -1,0 +1,93 @@
+//! The program's own side of the comparison: the same jobs as `flint.c`, printed the same way.
+//!
+//!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: E, V, or B for both)
+//!     ours sweep   A B D                all photons A..B: sweep A B D COUNT
+//!
+//! Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
+
+use claimcheck::model::Layout;
+use claimcheck::number::Interval;
+use claimcheck::special::shell::{Quantity, enclose};
+use claimcheck::special::sweep::sweep;
+use std::hint::black_box;
+use std::process::ExitCode;
+use std::time::Instant;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let done = match words[..] {
+        ["points", photons, digits] => points(photons, digits),
+        ["sweep", first, last, digits] => whole_sweep(first, last, digits),
+        _ => None,
+    };
+    if done.is_none() {
+        eprintln!("usage: ours points K,K,... D,D,... | ours sweep A B D");
+        return ExitCode::from(2);
+    }
+    ExitCode::SUCCESS
+}
+
+fn points(photons: &str, digits: &str) -> Option<()> {
+    for k in photons.split(',') {
+        for d in digits.split(',') {
+            point(k.parse().ok()?, d.parse().ok()?)?;
+        }
+    }
+    Some(())
+}
+
+fn point(k: u64, digits: u32) -> Option<()> {
+    let shell = Layout::Triangular.shell(&k.into())?;
+    for (job, quantity) in [('E', Quantity::Mean), ('V', Quantity::Variance)] {
+        let call = || enclose(quantity, black_box(&shell), digits);
+        print_point(job, k, digits, best(call), &call().ok()?);
+    }
+    let bits = digits * 3322 / 1000 + 16;
+    let both = || {
+        let block = sweep(&Layout::Triangular, &k.into(), &k.into(), digits).next()?;
+        let block = block.ok()?;
+        let photon = block.photons().next()?;
+        Some([photon.mean()?, photon.variance()?].map(|value| value.enclose(bits)))
+    };
+    print_point('B', k, digits, best(both), &both()?[1]);
+    Some(())
+}
+
+fn print_point(job: char, k: u64, digits: u32, seconds: f64, value: &Interval) {
+    let text = value.to_decimal(digits as usize);
+    println!("point {job} {k} {digits} {seconds:.6e} {text}");
+}
+
+/// The least seconds a call took, over rounds of at least a millisecond.
+fn best<T>(call: impl Fn() -> T) -> f64 {
+    let round = || {
+        let start = Instant::now();
+        for calls in 1.. {
+            black_box(call());
+            let spent = start.elapsed().as_secs_f64();
+            if spent > 1e-3 {
+                return spent / f64::from(calls);
+            }
+        }
+        f64::INFINITY
+    };
+    (0..15).map(|_| round()).fold(f64::INFINITY, f64::min)
+}
+
+fn whole_sweep(first: &str, last: &str, digits: &str) -> Option<()> {
+    let (a, b, d): (u64, u64, u32) = (
+        first.parse().ok()?,
+        last.parse().ok()?,
+        digits.parse().ok()?,
+    );
+    let mut count = 0u64;
+    for block in sweep(&Layout::Triangular, &a.into(), &b.into(), d) {
+        for photon in block.ok()?.photons() {
+            black_box((photon.mean()?, photon.variance()?));
+            count += 1;
+        }
+    }
+    println!("sweep {a} {b} {d} {count}");
+    Some(())
+}

@@ -1,0 +1,181 @@
+"""Compares this program with C FLINT 3, mpmath and the thesis's own way, in one run, and prints ratios.
+
+    python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM]
+
+Standard library only. Each rival that is not there is skipped with a message that says how to get it; see
+README.md beside this file. The jobs are interleaved: in each round every tool runs each job once, one after
+the other, and the least time of the rounds counts.
+"""
+
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
+SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
+
+
+def say(*words):
+    print(*words, file=sys.stderr, flush=True)
+
+
+def build_ours():
+    command = ["cargo", "build", "--release", "--example", "rivals", "--locked"]
+    if subprocess.run(command, cwd=ROOT).returncode:
+        sys.exit("our own side does not build")
+    target = os.environ.get("CARGO_TARGET_DIR", ROOT / "target")
+    return ROOT / target / "release" / "examples" / "rivals"
+
+
+def flint_flags():
+    """Compiler flags to try, best first: the folder named by FLINT, what pkg-config says, the system's."""
+    prefix = os.environ.get("FLINT")
+    if prefix:
+        library = pathlib.Path(prefix) / "lib" / "libflint.a"
+        link = [str(library)] if library.exists() else [f"-L{prefix}/lib", "-lflint"]
+        yield [f"-I{prefix}/include"], link
+    if shutil.which("pkg-config"):
+        found = subprocess.run(["pkg-config", "--cflags", "--libs", "flint"], capture_output=True, text=True)
+        if found.returncode == 0:
+            yield [], found.stdout.split()
+    yield [], ["-lflint"]
+
+
+def build_flint(folder):
+    compiler = shutil.which(os.environ.get("CC", "cc"))
+    if not compiler:
+        say("skipped: C FLINT (no C compiler; set CC)")
+        return None
+    program = folder / "flint"
+    for include, link in flint_flags():
+        command = [compiler, "-O2", "-march=native", *include, str(HERE / "flint.c"), "-o", str(program), *link]
+        done = subprocess.run([*command, "-lmpfr", "-lgmp", "-lm", "-lpthread"], capture_output=True)
+        if done.returncode == 0:
+            return program
+    say("skipped: C FLINT 3 (its library was not found; README.md says how to get it, then set FLINT)")
+    return None
+
+
+def python_rival():
+    if subprocess.run([sys.executable, "-c", "import mpmath"], capture_output=True).returncode:
+        say("skipped: mpmath and the thesis's own way (pip install mpmath)")
+        return None
+    return [sys.executable, str(HERE / "slow.py")]
+
+
+def output_and_cost(command):
+    """What a program prints, and the CPU seconds it took."""
+    with tempfile.TemporaryFile("w+") as out:
+        child = subprocess.Popen(command, stdout=out)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode:
+            sys.exit(f"failed: {' '.join(map(str, command))}")
+        out.seek(0)
+        return out.read(), usage.ru_utime + usage.ru_stime
+
+
+def points(program, name, photons, digits, table):
+    text, _ = output_and_cost([*program, "points", ",".join(map(str, photons)), str(digits)])
+    for line in text.splitlines():
+        words = line.split()[1:]
+        tool = name if len(words) == 5 else words.pop(0)
+        job, k, count, seconds, value = words
+        key = (tool, job, int(k), int(count))
+        best = min(float(seconds), table.get(key, (float("inf"),))[0])
+        table[key] = (best, value)
+
+
+def correct_digits(value, truth):
+    """How many digits of a decimal text are right, by integers."""
+    def scaled(text):
+        mantissa, _, exponent = text.replace("E", "e").partition("e")
+        whole, _, part = mantissa.partition(".")
+        return int(whole + part), int(exponent or 0) - len(part)
+    (a, p), (b, q) = scaled(value), scaled(truth)
+    low = min(p, q)
+    a, b = a * 10 ** (p - low), b * 10 ** (q - low)
+    return len(str(abs(b))) - len(str(abs(a - b))) if a != b else 99
+
+
+def median(values):
+    values = sorted(values)
+    middle = len(values) // 2
+    return values[middle] if len(values) % 2 else (values[middle - 1] + values[middle]) / 2
+
+
+def print_points(table, digits, photons):
+    print(f"\nsingle points, {digits} digits: microseconds a call")
+    print(f"{'':22}" + "".join(f"{k:>10.0e}" if k > 10**4 else f"{k:>10}" for k in photons) + "   median ratio to C FLINT")
+    tools = sorted({(tool, job) for tool, job, _, count in table if count == digits}, key=lambda t: (t[1], t[0]))
+    for tool, job in tools:
+        costs = [table[tool, job, k, digits][0] for k in photons]
+        base = [table.get(("C FLINT", job, k, digits)) for k in photons]
+        ratio = f"{median([b[0] / c for b, c in zip(base, costs)]):10.2f}x as fast" if all(base) else ""
+        print(f"{job} {tool:20}" + "".join(f"{1e6 * c:>10.2f}" for c in costs) + ratio)
+
+
+def print_digits(table, digits, photons):
+    for tool in ("mpmath", "thesis"):
+        for job in "EV":
+            rows = [(table.get((tool, job, k, digits)), table.get(("C FLINT", job, k, digits))) for k in photons]
+            if all(value and truth for value, truth in rows):
+                right = [min(digits, correct_digits(v[1], t[1])) for v, t in rows]
+                print(f"{job} {tool:7} digits right" + "".join(f"{d:>10}" for d in right))
+
+
+def print_sweeps(costs):
+    print("\nsweeps, E_k and Var_k of all photons: CPU seconds (microseconds a photon)")
+    for first, last, digits in SWEEPS:
+        row = {tool: cost for (tool, *job), cost in costs.items() if job == [first, last, digits]}
+        if not row:
+            continue
+        each = 1e6 / (last - first + 1)
+        text = "   ".join(f"{tool} {cost:.4f} ({cost * each:.3f})" for tool, cost in row.items())
+        if {"ours", "C FLINT"} <= row.keys():
+            text += f"   ratio {row['C FLINT'] / row['ours']:.1f}"
+        print(f"k = {first}..{last}, {digits} digits: {text}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="one round, up to 1000 digits, no sweep at 1000")
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
+    options = parser.parse_args()
+    rounds = 1 if options.quick else options.rounds
+    with tempfile.TemporaryDirectory() as folder:
+        tools = {"ours": [str(options.ours or build_ours())]}
+        flint = build_flint(pathlib.Path(folder))
+        if flint:
+            tools["C FLINT"] = [str(flint)]
+        slow = python_rival()
+        table, costs = {}, {}
+        targets = (15, 50, 100, 1000) if options.quick else (15, 50, 100, 1000, 10000)
+        for _ in range(rounds):
+            for digits in targets:
+                for name, program in tools.items():
+                    points(program, name, PHOTONS, digits, table)
+                if slow and digits <= 1000:
+                    points(slow, "", PHOTONS, digits, table)
+            for first, last, digits in SWEEPS:
+                if options.quick and digits > 50:
+                    continue
+                for name, program in tools.items():
+                    _, cost = output_and_cost([*program, "sweep", str(first), str(last), str(digits)])
+                    key = (name, first, last, digits)
+                    costs[key] = min(cost, costs.get(key, cost))
+    for digits in targets:
+        print_points(table, digits, PHOTONS)
+        print_digits(table, digits, PHOTONS)
+    print_sweeps(costs)
+
+
+if __name__ == "__main__":
+    main()
