@@ -67,7 +67,7 @@ impl Fact {
     }
 
     /// The facts that a condition made of chains and `and` consists of.
-    pub(super) fn of_condition(condition: &Condition) -> Option<Vec<Fact>> {
+    pub fn of_condition(condition: &Condition) -> Option<Vec<Fact>> {
         match condition {
             Condition::Chain(first, links) => {
                 let mut left = first;

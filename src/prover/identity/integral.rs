@@ -61,10 +61,15 @@ pub(super) fn evaluated(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option
     }
 }
 
-/// Ends that are numbers by arithmetic are written as such.
+/// The quantities in the ends are evaluated; ends that are numbers by arithmetic are written as such.
 fn tidy_ends(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     let mut steps = Vec::new();
     let mut tidied = |b: &mut Builder, end: &Formula| -> Option<Formula> {
+        if has_quantity(end) {
+            let (found, step) = evaluate(b, cx, end)?;
+            steps.push(step);
+            return Some(found);
+        }
         let found = number_of(cx, end);
         match found {
             Some(found) if found != *end => {

@@ -9,7 +9,7 @@ use super::make::{integral, map_parts, parts, replaced};
 use super::range::{body_at, on_inside, under, whole};
 use super::substitution;
 use super::weight::{continuous, scaled};
-use crate::formula::{Formula, Operator, RangeKind, Ranged};
+use crate::formula::{Condition, Formula, Operator, RangeKind, Ranged};
 use crate::kernel::proof::Step;
 
 /// States that two formulas have the same value.
@@ -34,6 +34,11 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
                     b.chain(&[back], x, y)
                 })
         }
+        (Formula::Indicator(c), Formula::Indicator(d)) => {
+            let mut steps = Vec::new();
+            conditions(b, c, d, &mut steps)?;
+            b.congruent(x, y, &steps)
+        }
         (Formula::Negate(a), Formula::Negate(c)) => {
             let step = same(b, cx, a, c)?;
             b.congruent(x, y, &[step])
@@ -53,6 +58,24 @@ fn settle(b: &mut Builder, e: &Formula) {
             b.attempt(|b| continuous(b, e));
         }
         _ => parts(e).into_iter().for_each(|part| settle(b, part)),
+    }
+}
+
+/// Equations between the sides of two conditions, relation by relation.
+fn conditions(b: &mut Builder, c: &Condition, d: &Condition, steps: &mut Vec<Step>) -> Option<()> {
+    match (c, d) {
+        (Condition::And(p), Condition::And(q)) => {
+            let mut pairs = p.iter().zip(q);
+            pairs.try_for_each(|(c, d)| conditions(b, c, d, steps))
+        }
+        (Condition::Chain(x, links), Condition::Chain(y, others)) => {
+            let pairs = links.iter().zip(others).map(|((_, x), (_, y))| (x, y));
+            for (x, y) in std::iter::once((x, y)).chain(pairs) {
+                steps.push(b.equal(x, y)?);
+            }
+            Some(())
+        }
+        _ => None,
     }
 }
 

@@ -8,6 +8,7 @@ mod atoms;
 mod border;
 mod bounded;
 mod builder;
+mod choice;
 mod equal;
 mod evaluate;
 mod factor;

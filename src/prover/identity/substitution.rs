@@ -4,7 +4,9 @@
 use super::Builder;
 use super::evaluate::{Context, Value};
 use super::integrand::{Product, product_of};
-use super::make::{add, depends, div, int, integral, mul, parts, replaced, sub, var};
+use super::make::{
+    add, depends, div, int, integral, is_one, is_zero, map_parts, mul, parts, replaced, sub, var,
+};
 use super::range::{body_at, on_closed, on_open, whole};
 use crate::formula::{Formula, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, derive};
@@ -51,7 +53,7 @@ impl Place {
         }
         let at = |end: &Formula| substitute(&p, &[(r.name.clone(), end.clone())]).ok();
         let (low, high) = (at(&r.from)?, at(&r.to)?);
-        if !cx.algebra.zero(&vanishing(&low)) || !cx.algebra.same(&high, &int(1)) {
+        if !cx.algebra.zero(&trivial(&low)) || !cx.algebra.same(&trivial(&high), &int(1)) {
             return None;
         }
         let power = power_of(&p, &r.name)?;
@@ -141,10 +143,10 @@ impl Place {
 }
 
 /// Powers of 0 and 1 by value, for a first look.
-fn vanishing(e: &Formula) -> Formula {
+fn trivial(e: &Formula) -> Formula {
     match e {
-        Formula::Binary(Operator::Power, a, _) if super::make::is_zero(a) => int(0),
-        _ => super::make::map_parts(e, &mut vanishing),
+        Formula::Binary(Operator::Power, a, _) if is_zero(a) || is_one(a) => (**a).clone(),
+        _ => map_parts(e, &mut trivial),
     }
 }
 

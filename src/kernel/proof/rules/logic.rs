@@ -4,7 +4,7 @@ use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
-use crate::formula::{Formula, Operator, Point, free_functions, free_names};
+use crate::formula::{Formula, Function, Operator, Point, free_functions, free_names, substitute};
 use crate::kernel::{Value, value};
 use num_traits::One;
 
@@ -170,6 +170,54 @@ impl Check<'_, '_> {
         p.sides()
             .into_iter()
             .try_for_each(|side| self.is_finite(side))
+    }
+
+    pub(super) fn at(&self) -> Checked {
+        let Formula::At(e, places) = self.equation()?.0 else {
+            return reject("the rule is for a formula at a place");
+        };
+        places.iter().try_for_each(|(_, t)| self.is_finite(t))?;
+        self.concludes(&substitute(e, places)?)
+    }
+
+    pub(super) fn choice(&self) -> Checked {
+        let (left, right) = self.equation()?;
+        match left {
+            Formula::If(condition, a, b) => {
+                let facts = Fact::of_condition(condition);
+                let Some([fact]) = facts.as_deref() else {
+                    return reject("the condition is one relation");
+                };
+                fact.sides()
+                    .into_iter()
+                    .try_for_each(|side| self.is_finite(side))?;
+                let premise = self.plain(0)?;
+                if premise == fact {
+                    return self.concludes(a);
+                }
+                let opposite = fact.negation().as_ref() == Some(premise);
+                require(opposite, "the premise does not settle the condition")?;
+                self.concludes(b)
+            }
+            Formula::Call(function @ (Function::Min | Function::Max), parts) => {
+                let other = match parts.as_slice() {
+                    [a, b] if a == right => b,
+                    [a, b] if b == right => a,
+                    _ => return reject("the rule gives one of two"),
+                };
+                match function {
+                    Function::Min => self.is_nonnegative(&above(right, other)),
+                    _ => self.is_nonnegative(&above(other, right)),
+                }
+            }
+            Formula::Call(Function::Floor, parts) => {
+                self.is_integer(right)?;
+                self.is_nonnegative(&above(right, &parts[0]))?;
+                let next = Formula::binary(Operator::Add, right.clone(), Formula::integer(1));
+                self.is_positive(&minus(&next, &parts[0]))
+            }
+            _ => reject("the rule is for if, min, max and floor"),
+        }
     }
 
     /// Whether a formula is the number 1 by arithmetic.

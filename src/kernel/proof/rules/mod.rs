@@ -54,6 +54,8 @@ impl Proof<'_> {
             Rule::None => check.none(),
             Rule::Compute => check.compute(),
             Rule::Cases => check.cases(),
+            Rule::At => check.at(),
+            Rule::Choice => check.choice(),
             Rule::Primitive => check.primitive(),
             Rule::Substitution => check.substitution(),
             Rule::Scale => check.scale(),
