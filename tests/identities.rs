@@ -27,15 +27,15 @@ fn examples(store: &Store, claim: &Claim) -> Vec<Point> {
     kept.into_iter().filter_map(example).collect()
 }
 
-/// How many links are equations that a proof may close.
-fn equations(statement: &Statement) -> usize {
+/// Of each link, whether it is an equation that a proof may close.
+fn equations(statement: &Statement) -> Vec<bool> {
     match statement {
         Statement::Chain { links, .. } => links
             .iter()
-            .filter(|(relation, right)| *relation == Relation::Equal && !has_order(right))
-            .count(),
-        Statement::All(parts) => parts.iter().map(equations).sum(),
-        _ => 0,
+            .map(|(relation, right)| *relation == Relation::Equal && !has_order(right))
+            .collect(),
+        Statement::All(parts) => parts.iter().flat_map(equations).collect(),
+        _ => Vec::new(),
     }
 }
 
@@ -54,14 +54,16 @@ fn try_one(
     examples: &[Point],
     show: bool,
 ) -> Option<bool> {
-    let wanted = equations(&proposition.statement);
+    let equations = equations(&proposition.statement);
+    let wanted = equations.iter().filter(|is_one| **is_one).count();
     if wanted == 0 {
         return None;
     }
     let start = Instant::now();
     let script = prove(proposition, examples);
     let time = start.elapsed().as_millis();
-    let proved = script.as_ref().map_or(0, |script| script.links.len());
+    let links = script.iter().flat_map(|script| &script.links);
+    let proved = links.filter(|(link, _)| equations[*link]).count();
     if show && let Some(script) = &script {
         println!("{script}");
     }

@@ -81,7 +81,9 @@ impl Proof<'_> {
             }
             Formula::Apply(name, parts) => self.applies(name, parts),
             Formula::Indicator(condition) => self.compares(Part::Condition(condition)),
-            Formula::Mean(e, None) | Formula::Variance(e, None) if self.is_supposed(formula, e)? => {
+            Formula::Mean(e, None) | Formula::Variance(e, None)
+                if self.is_supposed(formula, e)? =>
+            {
                 Ok(true)
             }
             _ => self.sees_fact(&Fact::Finite(formula.clone())),
@@ -355,8 +357,8 @@ impl Proof<'_> {
     }
 
     /// Whether the formula has no value: it divides by 0, takes `ln` of what is not positive, a
-    /// negative power of 0, Gamma or a factorial at a pole, or has a part without value where all
-    /// parts must have one.
+    /// negative power of 0, Gamma or a factorial at a pole, inf from inf, or has a part without value
+    /// where all parts must have one.
     pub(super) fn undefined(&self, formula: &Formula) -> Known {
         self.spend(1)?;
         let own = match formula {
@@ -373,6 +375,7 @@ impl Proof<'_> {
                 let opposite = Formula::Negate(a.clone());
                 self.finite(a)? && self.integer(a)? && self.positive(&opposite)?
             }
+            Formula::Binary(Operator::Subtract, a, b) => self.endless(a)? && self.endless(b)?,
             _ => false,
         };
         if own || self.sees_fact(&Fact::Undefined(formula.clone()))? {
@@ -390,6 +393,17 @@ impl Proof<'_> {
                     }
                 }
                 Ok(false)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// Whether the formula is inf, if it has a value.
+    fn endless(&self, formula: &Formula) -> Known {
+        match formula {
+            Formula::Infinity => Ok(true),
+            Formula::Binary(Operator::Power, a, b) => {
+                Ok(self.endless(a)? && self.finite(b)? && self.positive(b)?)
             }
             _ => Ok(false),
         }

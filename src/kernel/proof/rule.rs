@@ -59,8 +59,9 @@ rules! {
     /// of the premises is `b <= c` or `b < c`, `a < c` where one is `b < c`.
     Chain "chain" "",
     /// `undefined e` for a quotient by 0, `ln` of what is not positive, 0 to a negative power,
-    /// `gamma(n)` for an integer n <= 0, `n!` for an integer n < 0, or anything strict with an
-    /// undefined part; `a == b` where both are undefined.
+    /// `gamma(n)` for an integer n <= 0, `n!` for an integer n < 0, `inf - inf`, powers of inf with
+    /// positive exponents taken for inf, or anything strict with an undefined part; `a == b` where
+    /// both are undefined.
     None "none" "",
     /// `e == q` for a formula without names whose value is the number q; `undefined e` for one
     /// without value.
@@ -71,6 +72,10 @@ rules! {
     /// Anything from the same fact proved in a block that supposes P and in one that supposes not P,
     /// P a relation of finite numbers.
     Cases "cases" "",
+    /// `at(e, x = t, ...) == e[x:=t, ...]`, every t finite.
+    At "at" "",
+    /// `floor(e) == n` for an integer n with `n <= e < n + 1`.
+    Floor "floor" "",
     /// `int(e, x = a..b) == F[x:=b] - F[x:=a]` for `a <= b`, F the argument, from `finite F` on
     /// [a..b], `F' == e` on a..b, and `finite e` on [a..b]; F and e continuous there.
     Primitive "primitive" "DLMF 1.4(v)",
@@ -90,7 +95,8 @@ rules! {
     /// `finite int(e, x = a..b)` for `a <= b`, from `finite e` on [a..b]; e continuous there.
     Continuous "continuous" "DLMF 1.4(v)",
     /// `int(e, x = a..b) == inf` for `a < b`, g the argument, from `finite g` on [a..b],
-    /// `e == g/(x - a)` on a..b, and `0 <= g` on a..b; g continuous, and positive at a.
+    /// `e == g/(x - a)` on a..b, and `0 <= g` on a..b; g continuous, and positive at a. With a number
+    /// p >= 1 as second argument, `e == g/(x - a)^p`.
     Diverges "diverges" "comparison with the integral of 1/(x - a)",
     /// `int(e, x = c..d) == int(g, x = a..b)` for `c <= a <= b <= d`, from `e == g` on a..b, `e == 0` on
     /// c..a unless c is a, and `e == 0` on b..d unless b is d.

@@ -4,16 +4,17 @@ use super::builder::Builder;
 use super::form::integer;
 use super::known::Sign;
 use crate::algebra::{Polynomial, Symbol};
-use crate::formula::{Formula, Function, Operator, Rational};
+use crate::formula::{Condition, Formula, Function, Operator, Rational};
 use crate::kernel::proof::{Fact, Step};
 
 /// Small integers that a name may be split at.
 const ROOTS: std::ops::RangeInclusive<i64> = -3..=6;
 impl Builder<'_> {
-    /// Proves a fact, and where that fails, by cases at the borders of its sides.
+    /// Proves a fact, and where that fails, by cases at the borders of the formulas shown.
     pub fn by_cases(
         &mut self,
         fact: &Fact,
+        shown: &[Formula],
         splits: usize,
         prove: &mut dyn FnMut(&mut Self) -> Option<Step>,
     ) -> Option<Step> {
@@ -23,30 +24,19 @@ impl Builder<'_> {
         if splits == 0 {
             return None;
         }
-        let sides: Vec<Formula> = fact.sides().into_iter().cloned().collect();
         let mut conditions: Vec<Fact> = Vec::new();
-        for side in &sides {
-            for condition in self.borders(side) {
-                if !conditions.contains(&condition) {
-                    conditions.push(condition);
-                }
-            }
+        for e in shown {
+            self.borders_into(e, &mut conditions);
         }
         conditions.into_iter().find_map(|condition| {
             self.cases(fact, &condition, |builder, _| {
-                builder.by_cases(fact, splits - 1, prove)
+                builder.by_cases(fact, shown, splits - 1, prove)
             })
         })
     }
 
     /// Conditions `t <= c` that hold on the border of the domain, where a part of the formula is not
-    /// known to have a value.
-    pub fn borders(&mut self, e: &Formula) -> Vec<Fact> {
-        let mut found = Vec::new();
-        self.borders_into(e, &mut found);
-        found
-    }
-
+    /// known to have a value, and those that a choice in it depends on.
     fn borders_into(&mut self, e: &Formula, found: &mut Vec<Fact>) {
         let suspect = match e {
             Formula::Binary(Operator::Divide, _, b) => Some((&**b, Sign::Nonzero)),
@@ -79,16 +69,29 @@ impl Builder<'_> {
                 }
             }
         }
-        if let Formula::Factorial(n) = e
-            && self.is_integer(n)
-            && self.attempt(|builder| builder.finite(n)).is_some()
-            && self.attempt(|builder| builder.nonnegative(n)).is_none()
+        if let Some(condition) = self.parted(e)
+            && !found.contains(&condition)
         {
-            let condition = Fact::Less((**n).clone(), integer(0));
-            if !found.contains(&condition) {
-                found.push(condition);
-            }
+            found.push(condition);
         }
+    }
+
+    /// What it depends on whether a factorial has a value, or which way a choice goes.
+    fn parted(&mut self, e: &Formula) -> Option<Fact> {
+        let (a, b) = match e {
+            Formula::Factorial(n) if self.is_integer(n) => (&integer(0), &**n),
+            Formula::If(condition, ..) => match &**condition {
+                Condition::Chain(a, links) => (a, &links.first()?.1),
+                _ => return None,
+            },
+            Formula::Call(Function::Min | Function::Max, parts) => (parts.first()?, parts.get(1)?),
+            _ => return None,
+        };
+        let orders = [(a, b), (b, a)].map(|(a, b)| Fact::AtMost(a.clone(), b.clone()));
+        orders.into_iter().find(|fact| {
+            let mut both = [Some(fact.clone()), fact.negation()].into_iter().flatten();
+            both.all(|fact| self.relation(&fact).is_none())
+        })
     }
 
     /// Conditions that may make a formula 0 in their one case and not in the other.

@@ -4,7 +4,7 @@
 use super::Builder;
 use super::make::{map_parts, parts};
 use super::rational::Algebra;
-use super::{derivative, integral, law, limit, special, sum};
+use super::{choice, derivative, integral, law, limit, special, sum};
 use crate::formula::{Formula, Function, Name, RangeKind};
 use crate::kernel::proof::{Fact, Step};
 use std::collections::HashMap;
@@ -13,8 +13,6 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct Context {
     pub algebra: Algebra,
-    /// Formulas whose sign a tactic missed: at their zeros the cases part.
-    pub hints: Vec<Formula>,
     /// Names that the case under way gives a value, with the equation.
     pub known: Vec<(Name, Formula, Step)>,
     /// Values found before; good where their equation is in sight.
@@ -57,10 +55,10 @@ pub(super) fn is_quantity(e: &Formula) -> bool {
     match e {
         Formula::Mean(..) | Formula::Variance(..) | Formula::Probability(..) => true,
         Formula::Density(..) | Formula::Limit(..) | Formula::Derivative(..) => true,
+        Formula::At(..) | Formula::If(..) => true,
         Formula::Ranged(r) => matches!(r.kind, RangeKind::Integral | RangeKind::Sum),
-        Formula::Call(function, _) => {
-            matches!(function, Function::Hyp2F1 | Function::Hyp2F1Regularized)
-        }
+        Formula::Call(Function::Hyp2F1 | Function::Hyp2F1Regularized, _) => true,
+        Formula::Call(Function::Min | Function::Max, _) => true,
         _ => false,
     }
 }
@@ -87,6 +85,9 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Va
         Formula::Ranged(r) => sum::value(b, cx, r),
         Formula::Derivative(..) => derivative::value(b, cx, q),
         Formula::Limit(e, places) => limit::value(b, cx, e, places),
+        Formula::At(e, places) => choice::at_places(b, cx, q, (e, places)),
+        Formula::If(..) => choice::branch(b, cx, q),
+        Formula::Call(Function::Min | Function::Max, _) => choice::extreme(b, cx, q),
         Formula::Call(function, parts) => special::value(b, cx, *function, parts),
         _ => None,
     })?;

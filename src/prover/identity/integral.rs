@@ -78,14 +78,14 @@ pub(super) fn evaluated(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option
     }
 }
 
-/// Ends that are numbers by arithmetic are written as such, and the least or greatest of several as
-/// the one that it is.
+/// The quantities in the ends are evaluated; ends that are numbers by arithmetic are written as such.
 fn tidy_ends(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     let mut steps = Vec::new();
     let mut tidied = |b: &mut Builder, end: &Formula| -> Option<Formula> {
-        if let Some(step) = b.extreme(end) {
+        if has_quantity(end) {
+            let (found, step) = evaluate(b, cx, end)?;
             steps.push(step);
-            return b.right(step);
+            return Some(found);
         }
         let found = number_of(cx, end);
         match found {

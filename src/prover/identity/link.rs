@@ -5,7 +5,8 @@ use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
 use super::linear::linear;
 use super::matching::{same, unified};
-use super::unfold::{undefined, unfolded};
+use super::powers::has_towers;
+use super::unfold::{plain, undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
 use crate::kernel::proof::{Fact, Script, Step};
 
@@ -23,11 +24,11 @@ pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
     chains(&statement, &mut |first, links| {
         let mut left = first;
         for (relation, right) in links {
-            if *relation == Relation::Equal
-                && let Some(step) = link(&mut b, &mut cx, (first, left, right))
-            {
-                proved.push((at, step));
-            }
+            let step = match relation {
+                Relation::Equal => link(&mut b, &mut cx, (first, left, right)),
+                _ => Fact::of_relation(left, *relation, right).and_then(|fact| b.relation(&fact)),
+            };
+            proved.extend(step.map(|step| (at, step)));
             at += 1;
             left = right;
         }
@@ -73,7 +74,14 @@ fn link(
 /// `x == y`, where needed by cases at the border of the domain.
 fn equation(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     let fact = Fact::Same(x.clone(), y.clone());
-    b.by_cases(&fact, SPLITS, &mut |b| {
+    let mut shown = vec![x.clone(), y.clone()];
+    for side in [x, y] {
+        let found = evaluate(b, cx, side).map(|(found, _)| found);
+        let plain = found.as_ref().and_then(|found| b.without_towers(found));
+        shown.extend(found);
+        shown.extend(plain.map(|(plain, _)| plain));
+    }
+    b.by_cases(&fact, &shown, SPLITS, &mut |b| {
         let outside = std::mem::take(&mut cx.known);
         cx.known = known(b);
         cx.forget();
@@ -121,12 +129,15 @@ fn squeezed(
 fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
-    let ways: [Way; 7] = [
+    let floor: Way = |b, _, x, y| b.floor(x, y);
+    let ways: [Way; 9] = [
         same,
         recurrence,
+        floor,
         by_linearity,
         by_definition,
         by_value,
+        by_plain_powers,
         from_one_end,
         undefined,
     ];
@@ -160,4 +171,14 @@ fn by_value(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Opti
     let (w, third) = unified(b, cx, &u, &v)?;
     let middle = same(b, cx, &u, &w)?;
     b.chain(&[first, middle, third, second], x, y)
+}
+
+/// Both sides evaluated, with powers of powers and roots taken together, then compared.
+fn by_plain_powers(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+    let found = [evaluate(b, cx, x)?.0, evaluate(b, cx, y)?.0];
+    found.iter().any(has_towers).then_some(())?;
+    let (u, first) = plain(b, cx, x)?;
+    let (v, last) = plain(b, cx, y)?;
+    let middle = same(b, cx, &u, &v)?;
+    b.chain(&[first, middle, last], x, y)
 }

@@ -9,7 +9,7 @@ use super::primitive::is_unit;
 use super::range::{body_at, on_inside, rewritten, under, whole};
 use super::substitution::{by_ends, to_unit};
 use super::weight::{continuous, scaled};
-use crate::formula::{Formula, Operator, RangeKind, Ranged};
+use crate::formula::{Condition, Formula, Operator, RangeKind, Ranged};
 use crate::kernel::proof::Step;
 
 /// States that two formulas have the same value.
@@ -30,6 +30,11 @@ pub(super) fn same(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) 
             let direct = b.attempt(|b| integrals(b, cx, r, s));
             direct.or_else(|| aligned(b, cx, r, s))
         }
+        (Formula::Indicator(c), Formula::Indicator(d)) => {
+            let mut steps = Vec::new();
+            conditions(b, c, d, &mut steps)?;
+            b.congruent(x, y, &steps)
+        }
         (Formula::Negate(a), Formula::Negate(c)) => {
             let step = same(b, cx, a, c)?;
             b.congruent(x, y, &[step])
@@ -49,6 +54,24 @@ pub(super) fn settle(b: &mut Builder, e: &Formula) {
             b.attempt(|b| continuous(b, e));
         }
         _ => parts(e).into_iter().for_each(|part| settle(b, part)),
+    }
+}
+
+/// Equations between the sides of two conditions, relation by relation.
+fn conditions(b: &mut Builder, c: &Condition, d: &Condition, steps: &mut Vec<Step>) -> Option<()> {
+    match (c, d) {
+        (Condition::And(p), Condition::And(q)) => {
+            let mut pairs = p.iter().zip(q);
+            pairs.try_for_each(|(c, d)| conditions(b, c, d, steps))
+        }
+        (Condition::Chain(x, links), Condition::Chain(y, others)) => {
+            let pairs = links.iter().zip(others).map(|((_, x), (_, y))| (x, y));
+            for (x, y) in std::iter::once((x, y)).chain(pairs) {
+                steps.push(b.equal(x, y)?);
+            }
+            Some(())
+        }
+        _ => None,
     }
 }
 

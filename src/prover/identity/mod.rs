@@ -9,6 +9,7 @@ mod atoms;
 mod border;
 mod bounded;
 mod builder;
+mod choice;
 mod decide;
 mod derivative;
 mod disc;

@@ -305,7 +305,15 @@ impl Builder<'_> {
         {
             return Some(sum);
         }
-        self.show_multiplied(p, &reached, &far, strict)
+        if let Some(sum) = self.show_multiplied(p, &reached, &far, strict) {
+            return Some(sum);
+        }
+        // A relation of a higher degree may bound it.
+        let highest = far.iter().map(|generator| degree(&generator.polynomial));
+        let cap = highest.max().unwrap_or(0);
+        let factors = usize::try_from(cap).unwrap_or(FACTORS).min(FACTORS);
+        let field = self.field.borrow();
+        (cap > degree(p)).then(|| show(p, &far, strict, (factors, cap), &field))?
     }
 
     /// As a sum over a positive denominator of one of the relations.
@@ -328,6 +336,6 @@ impl Builder<'_> {
     fn show_by(&self, p: &Polynomial, by: &[Generator], strict: bool) -> Option<Formula> {
         let field = self.field.borrow();
         let factors = usize::try_from(degree(p)).unwrap_or(FACTORS).min(FACTORS);
-        (1..=factors).find_map(|factors| show(p, by, strict, factors, &field))
+        (1..=factors).find_map(|factors| show(p, by, strict, (factors, degree(p)), &field))
     }
 }

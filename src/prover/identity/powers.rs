@@ -4,6 +4,7 @@ use super::builder::Builder;
 use super::factor::Factored;
 use super::form::{integer, number, over, power, times};
 use super::known::Sign;
+use super::make::{map_parts, parts};
 use crate::algebra::{Monomial, Polynomial};
 use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
@@ -71,6 +72,27 @@ impl Builder<'_> {
                 self.rebased(e, base, p, step)
             }
         }
+    }
+
+    /// The formula with the powers of its powers and roots taken together, and the equation.
+    pub fn without_towers(&mut self, e: &Formula) -> Option<(Formula, Step)> {
+        let mut steps = Vec::new();
+        let inner = map_parts(e, &mut |part| match self.without_towers(part) {
+            Some((found, step)) => {
+                steps.push(step);
+                found
+            }
+            None => part.clone(),
+        });
+        let first = self.congruent(e, &inner, &steps)?;
+        if let Formula::Binary(Operator::Power, base, p) = &inner
+            && is_root(base)
+            && let Some(step) = self.attempt(|b| b.expanded_power(&inner, base, p))
+        {
+            let found = self.right(step)?;
+            return Some((found.clone(), self.chain(&[first, step], e, &found)?));
+        }
+        Some((inner, first))
     }
 
     /// The power once its base is replaced by what the step says it is.
@@ -230,6 +252,20 @@ impl Builder<'_> {
         let step = self.step(fact, Rule::Power, &[], &[])?;
         self.chain(&[step], &simple.atom, &outer)
     }
+}
+
+/// Whether a power or a root stands in the base of a power.
+pub(super) fn has_towers(e: &Formula) -> bool {
+    let own = matches!(e, Formula::Binary(Operator::Power, base, _) if is_root(base));
+    own || parts(e).into_iter().any(has_towers)
+}
+
+/// Whether it is a power or a square root.
+fn is_root(e: &Formula) -> bool {
+    matches!(
+        e,
+        Formula::Binary(Operator::Power, ..) | Formula::Call(Function::Sqrt, _)
+    )
 }
 
 /// The base and the exponent of a power with a rational exponent.

@@ -9,6 +9,9 @@ use super::range::{body_at, on_closed, on_open, whole};
 use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Step, derive};
 
+/// Poles of a higher order are not looked for.
+const STEEPEST: i64 = 4;
+
 /// `F[x:=b] - F[x:=a]`, F given for any name of the variable.
 pub(super) fn by_primitive(
     b: &mut Builder,
@@ -168,18 +171,20 @@ pub(super) fn laurent(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<V
     if let Some(found) = b.attempt(|b| by_primitive(b, r, &at)) {
         return Some(found);
     }
-    if laurent.terms.iter().any(|(j, _)| *j < 0) {
-        let low = substitute(&laurent.form, &[(name.clone(), r.from.clone())]).ok()?;
-        let low = cx.algebra.tidy(&low);
-        cx.hints.push(low);
-    }
     b.attempt(|b| diverges(b, cx, r))
 }
 
-/// That an integral is infinite: the body is `g/(x - a)`, g positive at the lower end a.
+/// That an integral is infinite: the body is `g/(x - a)^p`, g positive at the lower end a.
 pub(super) fn diverges(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
-    let distance = Formula::binary(Operator::Subtract, var(&r.name), r.from.clone());
-    let g = Formula::binary(Operator::Multiply, r.body.clone(), distance);
+    (1..=STEEPEST).find_map(|p| b.attempt(|b| diverges_as(b, cx, r, p)))
+}
+
+fn diverges_as(b: &mut Builder, cx: &mut Context, r: &Ranged, p: i64) -> Option<Value> {
+    let distance = |x: &Name| {
+        let distance = Formula::binary(Operator::Subtract, var(x), r.from.clone());
+        pow(distance, int(p))
+    };
+    let g = Formula::binary(Operator::Multiply, r.body.clone(), distance(&r.name));
     let g = match Product::of(&g, &r.name, &mut cx.algebra) {
         product if product.is_rational(&mut cx.algebra) => cx.algebra.tidy(&g),
         product => mul(product.coefficient.clone(), product.core()),
@@ -194,8 +199,7 @@ pub(super) fn diverges(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<
     })?;
     let premises: [Step; 2] = on_open(b, &r.name, ends, |b, x| {
         let g = at(x)?;
-        let distance = Formula::binary(Operator::Subtract, var(x), r.from.clone());
-        let quotient = Formula::binary(Operator::Divide, g.clone(), distance);
+        let quotient = Formula::binary(Operator::Divide, g.clone(), distance(x));
         let same = b.equal(&body_at(r, x)?, &quotient)?;
         b.finite(&g)?;
         b.nonnegative(&g)?;
@@ -206,7 +210,9 @@ pub(super) fn diverges(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<
     b.positive(&start)?;
     let fact = Fact::Same(whole(r), Formula::Infinity);
     let premises = [finite, premises[0], premises[1]];
-    let step = b.step(fact, Rule::Diverges, &premises, &[at(&x)?])?;
+    let mut arguments = vec![at(&x)?];
+    arguments.extend((p > 1).then(|| int(p)));
+    let step = b.step(fact, Rule::Diverges, &premises, &arguments)?;
     Some((Formula::Infinity, step))
 }
 

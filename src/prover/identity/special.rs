@@ -1,39 +1,12 @@
-//! Hypergeometric functions by Euler's integral; least and greatest numbers.
+//! Hypergeometric functions by Euler's integral.
 
 use super::Builder;
 use super::evaluate::{Context, Value, then};
 use super::make::{int, integral};
 use crate::formula::{Formula, Function, Operator};
-use crate::kernel::proof::{Fact, Rule, Step};
+use crate::kernel::proof::{Fact, Rule};
 
 use Operator::{Divide, Multiply, Power, Subtract};
-
-impl Builder<'_> {
-    /// Which of its arguments `min` or `max` is.
-    pub(super) fn extreme(&mut self, e: &Formula) -> Option<Step> {
-        let Formula::Call(function @ (Function::Min | Function::Max), parts) = e else {
-            return None;
-        };
-        parts.iter().find_map(|found| {
-            self.attempt(|b| {
-                for part in parts {
-                    let distance = match function {
-                        Function::Min => minus(part, found),
-                        _ => minus(found, part),
-                    };
-                    b.finite(part)?;
-                    b.nonnegative(&distance)?;
-                }
-                b.step(
-                    Fact::Same(e.clone(), found.clone()),
-                    Rule::Extreme,
-                    &[],
-                    &[],
-                )
-            })
-        })
-    }
-}
 
 /// The value of a hypergeometric function.
 pub(super) fn value(
@@ -44,7 +17,7 @@ pub(super) fn value(
 ) -> Option<Value> {
     let q = Formula::Call(function, parts.to_vec());
     let next = match function {
-        Function::Hyp2F1 => euler(b, cx, parts)?,
+        Function::Hyp2F1 => euler(b, parts)?,
         Function::Hyp2F1Regularized => regularized(b, parts)?,
         _ => return None,
     };
@@ -56,7 +29,7 @@ fn minus(a: &Formula, b: &Formula) -> Formula {
 }
 
 /// `hyp2f1` as an integral over a beta function.
-fn euler(b: &mut Builder, cx: &mut Context, parts: &[Formula]) -> Option<Value> {
+fn euler(b: &mut Builder, parts: &[Formula]) -> Option<Value> {
     let [a, p, c, z] = parts else {
         return None;
     };
@@ -66,10 +39,8 @@ fn euler(b: &mut Builder, cx: &mut Context, parts: &[Formula]) -> Option<Value> 
     b.positive(p)?;
     b.positive(&rest)?;
     let distance = minus(&int(1), z);
-    if b.finite(z).is_none() || b.positive(&distance).is_none() {
-        cx.hints.push(z.clone());
-        return None;
-    }
+    b.finite(z)?;
+    b.positive(&distance)?;
     let name = b.fresh("u");
     let x = Formula::Name(name.clone());
     let kernel = minus(&int(1), &Formula::binary(Multiply, z.clone(), x.clone()));

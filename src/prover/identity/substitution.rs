@@ -7,7 +7,8 @@ use super::decide::degree;
 use super::evaluate::{Context, Value};
 use super::integrand::{Product, product_of};
 use super::make::{
-    add, depends, div, int, integral, is_one, is_zero, mul, parts, pow, replaced, sub, var,
+    add, depends, div, int, integral, is_one, is_zero, map_parts, mul, parts, pow, replaced, sub,
+    var,
 };
 use super::range::{body_at, on_closed, on_open, whole};
 use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
@@ -91,7 +92,7 @@ impl Place {
         }
         let at = |end: &Formula| substitute(&p, &[(r.name.clone(), end.clone())]).ok();
         let (low, high) = (at(&r.from)?, at(&r.to)?);
-        if !cx.algebra.zero(&plain(&low)) || !cx.algebra.same(&plain(&high), &int(1)) {
+        if !cx.algebra.zero(&trivial(&low)) || !cx.algebra.same(&trivial(&high), &int(1)) {
             return None;
         }
         let power = power_of(&p, &r.name)?;
@@ -232,13 +233,13 @@ fn root_inside<'a>(e: &'a Formula, x: &Name) -> Option<&'a Formula> {
 }
 
 /// Powers of 0, of 1 and of roots by value, for a first look.
-fn plain(e: &Formula) -> Formula {
+fn trivial(e: &Formula) -> Formula {
     match e {
         Formula::Binary(Operator::Power, a, _) if is_zero(a) || is_one(a) => (**a).clone(),
         Formula::Binary(Operator::Power, a, d) if degree(a).as_ref() == Some(&**d) => {
             raised(a, d).unwrap_or_else(|| e.clone())
         }
-        _ => super::make::map_parts(e, &mut plain),
+        _ => map_parts(e, &mut trivial),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sums of polynomials, which telescope.
 
 use super::Builder;
-use super::evaluate::{Context, Value};
+use super::evaluate::{Context, Value, evaluate, has_quantity, then};
 use super::make::{add, div, int, mul, pow, sub, var};
 use crate::formula::{Formula, Name, Operator, RangeKind, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Variable};
@@ -10,6 +10,10 @@ use Operator::{Add, Subtract};
 
 pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     (r.kind == RangeKind::Sum).then_some(())?;
+    if has_quantity(&r.body) {
+        let next = evaluated(b, cx, r)?;
+        return then(b, cx, &Formula::Ranged(Box::new(r.clone())), next);
+    }
     let g = antidifference(cx, &r.body, &r.name)?;
     let at = |e: &Formula| substitute(&g, &[(r.name.clone(), e.clone())]).ok();
     let next_end = Formula::binary(Add, r.to.clone(), int(1));
@@ -41,6 +45,32 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Val
     let fact = Fact::Same(Formula::Ranged(Box::new(r.clone())), found.clone());
     let step = b.step(fact, Rule::Telescope, &[step, finite], &[at(&j)?])?;
     Some((found, step))
+}
+
+/// The sum once the quantities inside its body are evaluated, all of them.
+fn evaluated(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
+    let name = b.fresh(&r.name);
+    let j = var(&name);
+    let variable = Variable {
+        name: name.clone(),
+        integer: true,
+    };
+    let within = vec![
+        Fact::AtMost(r.from.clone(), j.clone()),
+        Fact::AtMost(j.clone(), r.to.clone()),
+    ];
+    let body = substitute(&r.body, &[(r.name.clone(), j)]).ok()?;
+    let (found, step) = b.block(vec![variable], within, |b, _| evaluate(b, cx, &body))?;
+    if has_quantity(&found) {
+        return None;
+    }
+    let next = Formula::Ranged(Box::new(Ranged {
+        body: found,
+        name,
+        ..r.clone()
+    }));
+    let step = b.congruent(&Formula::Ranged(Box::new(r.clone())), &next, &[step])?;
+    Some((next, step))
 }
 
 /// A polynomial G with `G(j + 1) - G(j) == e(j)`: from the highest power down, `j^(n+1)/(n+1)` has

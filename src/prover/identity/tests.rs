@@ -189,7 +189,7 @@ fn logarithms() {
 /// By cases at the border, where neither side has a value.
 fn equal_or_split(builder: &mut Builder, a: &Formula, b: &Formula) -> Option<Step> {
     let fact = Fact::Same(a.clone(), b.clone());
-    builder.by_cases(&fact, 2, &mut |builder| {
+    builder.by_cases(&fact, &[a.clone(), b.clone()], 2, &mut |builder| {
         builder.attempt(|builder| builder.equal(a, b)).or_else(|| {
             builder.undefined(a)?;
             builder.undefined(b)?;

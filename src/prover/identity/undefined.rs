@@ -27,6 +27,7 @@ impl Builder<'_> {
     fn has_no_value(&mut self, e: &Formula) -> bool {
         match e {
             Formula::Binary(Operator::Divide, _, b) => self.zero(b).is_some(),
+            Formula::Binary(Operator::Subtract, a, b) => self.is_endless(a) && self.is_endless(b),
             Formula::Binary(Operator::Power, a, b) => self
                 .attempt(|builder| {
                     builder.zero(a)?;
@@ -48,6 +49,16 @@ impl Builder<'_> {
                             builder.positive(&negate((**a).clone()))
                         })
                         .is_some()
+            }
+            _ => false,
+        }
+    }
+
+    fn is_endless(&mut self, e: &Formula) -> bool {
+        match e {
+            Formula::Infinity => true,
+            Formula::Binary(Operator::Power, a, b) => {
+                self.is_endless(a) && self.finite(b).is_some() && self.positive(b).is_some()
             }
             _ => false,
         }

@@ -1,7 +1,7 @@
 //! Means, variances and densities as what their definitions make of them, integrals not evaluated.
 
 use super::Builder;
-use super::evaluate::{Context, Value};
+use super::evaluate::{Context, Value, evaluate};
 use super::matching::map_quantities;
 use super::{law, support};
 use crate::formula::{Formula, RangeKind};
@@ -70,8 +70,20 @@ fn without(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
         Some((own, step))
     });
     found.or_else(|| {
-        let (found, step) = super::evaluate::evaluate(b, cx, e)?;
-        b.undefined(&found)?;
-        Some((found, step))
+        [evaluate, plain].into_iter().find_map(|way| {
+            b.attempt(|b| {
+                let (found, step) = way(b, cx, e)?;
+                b.undefined(&found)?;
+                Some((found, step))
+            })
+        })
     })
+}
+
+/// The formula evaluated, with powers of powers and roots taken together.
+pub(super) fn plain(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
+    let (found, first) = evaluate(b, cx, e)?;
+    let (plain, second) = b.without_towers(&found)?;
+    let step = b.chain(&[first, second], e, &plain)?;
+    Some((plain, step))
 }

@@ -92,10 +92,7 @@ fn beta(b: &mut Builder, cx: &mut Context, r: &Ranged, weighted: &Weighted) -> O
         return primitive::diverges(b, cx, r);
     }
     for exponent in [&p, &q] {
-        if b.attempt(|b| b.positive(exponent)).is_none() {
-            cx.hints.push(exponent.clone());
-            return None;
-        }
+        b.positive(exponent)?;
     }
     let weight = |x: &Name| Some(beta_weight(&p, &q, &var(x)));
     let (next, first) = scaled(b, r, &weighted.coefficient, &weight)?;

@@ -103,6 +103,13 @@ impl Walk<'_, '_, '_> {
     }
 
     fn conditions(&self, a: &Condition, b: &Condition, under: &mut Vec<Crossed>) -> Known {
+        if let (Condition::And(p), Condition::And(q)) = (a, b) {
+            let mut alike = p.len() == q.len();
+            for (a, b) in p.iter().zip(q) {
+                alike = alike && self.conditions(a, b, under)?;
+            }
+            return Ok(alike);
+        }
         let (Condition::Chain(a, links), Condition::Chain(b, others)) = (a, b) else {
             return Ok(a == b);
         };

@@ -3,8 +3,9 @@
 use super::super::known::{above, minus};
 use super::super::{Fact, Rejected, reject, require};
 use super::{Check, Checked, body_at, depends, put};
-use crate::formula::{Formula, Name, Operator, RangeKind, Ranged};
+use crate::formula::{Formula, Name, Operator, RangeKind, Ranged, Rational};
 use crate::kernel::derivative::{self, derive};
+use num_traits::One;
 
 impl<'a> Check<'a, '_> {
     pub(super) fn primitive(&self) -> Checked {
@@ -103,7 +104,12 @@ impl<'a> Check<'a, '_> {
         let (x, fact) = self.on_range(0, ends, true, false)?;
         states(fact, &Fact::Finite(g.clone()))?;
         is_continuous(g, x)?;
-        let distance = minus(&Formula::Name(x.clone()), &r.from);
+        let mut distance = minus(&Formula::Name(x.clone()), &r.from);
+        if let Some(p) = self.arguments.get(1) {
+            let steep = matches!(p, Formula::Number(p) if *p >= Rational::one());
+            require(steep, "the exponent is a number, 1 or more")?;
+            distance = Formula::binary(Operator::Power, distance, p.clone());
+        }
         let quotient = Formula::binary(Operator::Divide, g.clone(), distance);
         self.states_on(1, (r, x), false, &Fact::Same(body_at(r, x)?, quotient))?;
         self.states_on(

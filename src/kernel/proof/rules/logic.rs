@@ -4,7 +4,7 @@ use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
-use crate::formula::{Formula, Operator, Point, free_functions, free_names};
+use crate::formula::{Formula, Function, Operator, Point, free_functions, free_names, substitute};
 use crate::kernel::{Value, value};
 use num_traits::One;
 
@@ -221,7 +221,25 @@ impl Check<'_, '_> {
             .try_for_each(|side| self.is_finite(side))
     }
 
-    /// Whether a formula is the number 1 by arithmetic.
+    pub(super) fn at(&self) -> Checked {
+        let Formula::At(e, places) = self.equation()?.0 else {
+            return reject("the rule is for a formula at a place");
+        };
+        places.iter().try_for_each(|(_, t)| self.is_finite(t))?;
+        self.concludes(&substitute(e, places)?)
+    }
+
+    pub(super) fn floor(&self) -> Checked {
+        let (left, n) = self.equation()?;
+        let Formula::Call(Function::Floor, parts) = left else {
+            return reject("the rule is for floor");
+        };
+        self.is_integer(n)?;
+        self.is_nonnegative(&above(n, &parts[0]))?;
+        let next = Formula::binary(Operator::Add, n.clone(), Formula::integer(1));
+        self.is_positive(&minus(&next, &parts[0]))
+    }
+
     pub(super) fn is_one(&self, e: &Formula) -> Result<bool, super::Rejected> {
         Ok(self.proof.finite(e)?
             && self

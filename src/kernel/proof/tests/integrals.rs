@@ -353,6 +353,34 @@ fn divergence() {
         &format!("{proof}{}", result.replace("(1 + s)/s", "(2 + s)/s")),
         "the premise should be",
     );
+    let steep = proof.replace("(1 + t)/t ==", "(1 + t)/t^2 ==");
+    let steep = steep.replace("(1 + t)/(t - 0)", "(1 + t)/(t - 0)^2");
+    let result = "9: int((1 + s)/s^2, s = 0..x) == inf | diverges 3 6 7 | 1 + t | 2";
+    yes(&format!("{steep}{result}"));
+    no(
+        &format!("{steep}{}", result.replace("| 2", "| 3")),
+        "the premise should be",
+    );
+    no(
+        &format!("{steep}{}", result.replace("| 2", "")),
+        "the premise should be",
+    );
+    for (exponent, steep) in [("1", true), ("0", false), ("x", false)] {
+        let proof = proof.replace("(t - 0)", &format!("(t - 0)^{exponent}"));
+        let body = match exponent {
+            "1" => "(1 + t)/t",
+            "0" => "1 + t",
+            _ => "(1 + t)/t^x",
+        };
+        let proof = proof.replace("(1 + t)/t ==", &format!("{body} =="));
+        let body = body.replace('t', "s");
+        let step =
+            format!("{proof}9: int({body}, s = 0..x) == inf | diverges 3 6 7 | 1 + t | {exponent}");
+        match steep {
+            true => yes(&step),
+            false => no(&step, "a number, 1 or more"),
+        }
+    }
     let vanishing = format!(
         "{}{}",
         on("t real | 1: 0 <= t | 2: t <= x", "3: finite t | finite"),

@@ -31,6 +31,7 @@ fn what_is_given() {
 #[test]
 fn finite_and_integer() {
     yes("9: finite (x + y)*k - 2^k/x | finite");
+    yes("9: finite exp(-x) | finite");
     yes("9: finite sqrt(y) + ln(x) + gamma(x) + beta(x, k) + pi | finite");
     yes("9: finite k! + binomial(y, k) + pochhammer(y, k) | finite");
     yes("9: finite hyp2f1(y, y; x; 1/2) + hyp2f1r(y, y; x; -2) | finite");
@@ -70,6 +71,7 @@ fn finite_and_integer() {
         ("lngamma(x)", ""),
         ("1/y - 1/y", ""),
         ("-(1/y)", ""),
+        ("exp(1/y)", ""),
         ("0*(1/y)", ""),
     ] {
         no(&format!("9: finite {bad} | finite"), reason);
@@ -124,6 +126,7 @@ fn order() {
     yes("9: 0 <= (x - y)^2 | order");
     yes("9: 0 < (-x)^2 | order");
     yes("9: 0 < pi*k! | order");
+    yes("9: 0 < exp(-y) | order");
     yes("9: 0 != -k! | order");
 }
 
@@ -290,6 +293,11 @@ fn what_has_no_value() {
     yes("9: undefined (k - k)^(-k) | none");
     yes("9: undefined f(1/0) | none");
     yes("9: undefined diff(x/(k - k), x) | none");
+    yes("9: undefined gamma(k - k) + gamma(-1) | none");
+    yes("9: undefined x*gamma(1 - k) | none");
+    yes("9: undefined (-k)! | none");
+    yes("9: undefined inf - inf | none");
+    yes("9: undefined x + (inf^k - inf^(1/2)) | none");
     yes("{ | 5: y == 0\n9: undefined x/y | none");
     yes("{ | 5: 0 == y\n9: undefined ln(y) | none");
     yes("{ | 5: undefined h(x)\n9: undefined h(x) + 1 | none");
@@ -302,7 +310,30 @@ fn what_has_no_value() {
     no("9: undefined y^(-k) | none", "without value");
     no("9: undefined int(1/0, t = 0..1) | none", "without value");
     no("9: undefined 1/(y/y - 1) | none", "without value");
-    no("9: undefined gamma(-1) | none", "without value");
+    for partial in [
+        "gamma(2 - k)",
+        "gamma(-y)",
+        "gamma(-1/2)",
+        "(k - k)!",
+        "(1 - k)!",
+        "(-x)!",
+        "inf - x",
+        "x - inf",
+        "inf + inf",
+        "inf - inf^(-k)",
+        "inf - inf^y",
+        "inf^y - inf",
+        "inf - inf^(0/y + 1)",
+        "inf - x^k",
+        "inf - (inf + x)",
+    ] {
+        no(&format!("9: undefined {partial} | none"), "without value");
+    }
+    let whole = "{ | 5: integer 1/y\n";
+    no(
+        &format!("{whole}9: undefined (-k - 0*(1/y))! | none"),
+        "without value",
+    );
     for equation in ["1/y + x == 1/y", "x == 2*x*y/y", "2*x*y/y == x"] {
         let block = format!("{{ | 5: {equation}\n");
         no(
@@ -414,6 +445,51 @@ fn cases() {
 }
 
 #[test]
+fn at_a_place() {
+    yes("9: at(x*k, x = y, k = n) == y*n | at");
+    yes("9: at(x/k, x = k, k = 2) == k/2 | at");
+    yes("9: at(int(t*x, t = 0..1), x = y) == int(t*y, t = 0..1) | at");
+    yes("9: at(diff(x^2, x), x = y) == at(diff(x^2, x), x = y) | at");
+    no("9: at(x/k, x = k, k = 2) == 2/2 | at", "the rule gives k/2");
+    no("9: at(x, y = 2, k = 1/y) == x | at", "1/y is not known");
+    no("9: at(x, k = 1/y, y = 2) == x | at", "1/y is not known");
+    no(
+        "9: at(diff(x^2, x), x = y) == diff(y^2, y) | at",
+        "the rule gives",
+    );
+    no("9: x == x | at", "at a place");
+    no("9: at(x, x = y) <= y | at", "concludes an equation");
+    rejects(
+        "given real a\ndomain a > 0\ndraw X ~ beta(a, 1)",
+        "9: at(mean(X), a = 2) == mean(X) | at",
+        "under a binder",
+    );
+}
+
+#[test]
+fn floors() {
+    for good in [
+        "floor(k + 1/2) == k",
+        "floor(k - 1) == k - 1",
+        "floor(k) == k",
+    ] {
+        yes(&format!("9: {good} | floor"));
+    }
+    for (bad, reason) in [
+        ("floor(k + 1) == k", "positive"),
+        ("floor(k - 1/2) == k", "nonnegative"),
+        ("floor(x) == x", "an integer"),
+        ("floor(k) == k + 0/y", "finite"),
+        ("floor(k + 0/y) == k", "finite"),
+        ("abs(k) == k", "for floor"),
+        ("x == x", "for floor"),
+        ("floor(k) <= k", "concludes an equation"),
+    ] {
+        no(&format!("9: {bad} | floor"), reason);
+    }
+}
+
+#[test]
 fn equals_for_equals() {
     let facts = "{ | 5: x == f(y) | 6: y == f(k)\n";
     yes(&format!(
@@ -424,6 +500,9 @@ fn equals_for_equals() {
     ));
     yes(&format!("{facts}9: h(f(y)) == h(x) | congruence 5"));
     yes(&format!("{facts}9: [x < y] == [f(y) < y] | congruence 5"));
+    yes(&format!(
+        "{facts}9: [x < y and 1 < x < 2] == [f(y) < y and 1 < f(y) < 2] | congruence 5"
+    ));
     yes(&format!(
         "{facts}9: int(x*t, t = y..1) == int(f(y)*t, t = f(k)..1) | congruence 5 6"
     ));
@@ -451,7 +530,11 @@ fn equals_for_equals() {
         ("beta(x, 1) == beta(f(y), 2)", "5"),
         ("beta(1, x) == beta(2, f(y))", "5"),
         ("[x < y] == [f(y) <= y]", "5"),
-        ("[x < y and x < 1] == [f(y) < y and x < 1]", "5"),
+        ("[x < y and x < 1] == [f(y) < k and x < 1]", "5"),
+        ("[x < y and x < 1] == [f(y) < y and x < 2]", "5"),
+        ("[x < y and x < 1] == [x < y and f(y) < 1 and y < 1]", "5"),
+        ("[x < y and x < 1] == [x < y or f(y) < 1]", "5"),
+        ("[x < y or x < 1] == [x < y or f(y) < 1]", "5"),
         ("[x < y] == [f(y) < y < 1]", "5"),
         ("int(t, t = 0..x) == sum(t, t = 0..f(y))", "5"),
         ("int(t, t = 0..x) == int(t, t = 0..k)", "5"),

@@ -26,8 +26,20 @@ fn gamma() {
         "9: gamma(a + 2) == a*gamma(a) | gamma",
         "not equal as rational functions",
     );
-    no("9: gamma(b + 1) == b*gamma(b) | gamma", "positive");
-    no("9: gamma(p + 1) == p*gamma(p) | gamma", "positive");
+    yes("9: gamma(1/2) == -1/2*gamma(-1/2) | gamma");
+    yes("9: gamma(-a + 1) == -a*gamma(-a) | gamma");
+    no("9: gamma(b + 1) == b*gamma(b) | gamma", "nonzero");
+    no("9: gamma(p + 1) == p*gamma(p) | gamma", "nonzero");
+    no("9: gamma(1) == 0*gamma(0) | gamma", "nonzero");
+    no(
+        "9: gamma(a + 1) == (a + 0/p)*gamma(a + 0/p) | gamma",
+        "finite",
+    );
+    no("9: gamma(3/2) == sqrt(pi) | gamma", "t*gamma(t)");
+    no(
+        "9: gamma(1/2) == sqrt(pi) | gamma",
+        "the rule gives t*gamma(t)",
+    );
     no(
         "9: gamma(a + 1) == a*gamma(a + 1) | gamma",
         "the rule gives",
@@ -114,6 +126,9 @@ fn logarithms() {
     yes("9: ln(a/3) == ln(a) - ln(3) | logarithm");
     yes("9: ln(a^p) == p*ln(a) | logarithm");
     yes("9: ln(sqrt(a)) == ln(a)/2 | logarithm");
+    yes("9: ln(exp(-b)) == -b | logarithm");
+    no("9: ln(exp(b)) == a | logarithm", "the rule gives b");
+    no("9: ln(exp(1/b)) == 1/b | logarithm", "1/b is not known");
     no(
         "9: ln(a*b) == ln(a) + ln(b) | logarithm",
         "b is not known to be positive",
