@@ -4,6 +4,7 @@ use super::Builder;
 use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
 use super::matching::{same, unified};
+use super::slope::by_slope;
 use super::unfold::{undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
 use crate::kernel::proof::{Fact, Script, Step};
@@ -117,9 +118,16 @@ fn squeezed(
 }
 
 /// `x == y` without cases.
-fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+pub(super) fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
-    let ways: [Way; 5] = [same, by_definition, by_value, from_one_end, undefined];
+    let ways: [Way; 6] = [
+        same,
+        by_definition,
+        by_value,
+        from_one_end,
+        by_slope,
+        undefined,
+    ];
     ways.into_iter()
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }

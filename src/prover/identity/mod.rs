@@ -40,7 +40,9 @@ mod rational;
 mod roots;
 mod shifts;
 mod simplex;
+mod slope;
 mod special;
+mod square;
 mod substitution;
 mod sum;
 #[cfg(test)]
