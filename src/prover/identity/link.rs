@@ -3,7 +3,7 @@
 use super::Builder;
 use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
-use super::matching::{same, unified};
+use super::matching::{same, settle, unified};
 use super::slope::by_slope;
 use super::unfold::{undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
@@ -26,6 +26,8 @@ pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
             if *relation == Relation::Equal
                 && let Some(step) = link(&mut b, &mut cx, (first, left, right))
             {
+                settle(&mut b, left);
+                settle(&mut b, right);
                 proved.push((at, step));
             }
             at += 1;
