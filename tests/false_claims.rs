@@ -54,7 +54,21 @@ fn an_integral_has_no_derivative_where_its_integrand_jumps() {
         "given real k > 0\ndraw X ~ uniform(0, k)\nsays mean(X)*int(1, k) == k^2/4",
     ]);
     let smooth = "given real x with 0 < x < 1\nsays diff(int(s^2, s = 0..x), x) == x^2";
-    assert_eq!(verdict(smooth), Verdict::Certified);
+    assert_eq!(verdict(smooth), Verdict::Proved);
+}
+
+/// What the rules of calculus give at x = 0 is no derivative: there are no values on one side, or the
+/// formula has a corner or a pole.
+#[test]
+fn a_derivative_is_one_on_both_sides() {
+    never_passes(&[
+        "given real x >= 0\nsays diff(x^(3/2), x) == 3/2*sqrt(x)",
+        "given real x >= 0\nsays int(sqrt(x), x) == 2/3*x^(3/2)",
+        "given real x\nsays diff(sqrt(x^2), x) == if(x >= 0, 1, -1)",
+        "given real x\nsays int(-1/x^2, x) == 1/x + [x == 2]",
+        "given real x\nsays int(cos(x), x) == sin(x) + x*(cos(x)^2 + sin(x)^2 - 1) + x/10^9",
+        "given real x\nsays int(1/(x^2+1), x = 0..sin(x)/cos(x)) == x",
+    ]);
 }
 
 #[test]

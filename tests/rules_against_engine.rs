@@ -253,6 +253,22 @@ const PATTERNS: &[(&str, Pattern)] = &[
              {c}*{b}^{n} + ln({b}) - ({c}*{a}^{n} + ln({a})) | primitive 3 4 5 | {c}*x^{n} + ln(x)"
         )
     }),
+    ("chain", |d| {
+        let (a, b, c) = (some(d), some(d), some(d));
+        format!(
+            "1: {a}/{b} == {c}*{a}/({b}*{c}) | ring\n2: {c}*{a}/({b}*{c}) < {a}/{b} + {c} | order\n\
+             3: {a}/{b} + {c} <= {a}/{b} + {c} + 1 | order\n\
+             4: {a}/{b} < {a}/{b} + {c} + 1 | chain 1 2 3"
+        )
+    }),
+    ("extreme", |d| {
+        let (a, b, c) = (some(d), some(d), some(d));
+        let (name, found) = match d.roll(2) {
+            0 => ("min", a.min(b).min(c)),
+            _ => ("max", a.max(b).max(c)),
+        };
+        format!("1: {name}({a}, {b}, {c}) == {found} | extreme")
+    }),
     ("telescope", |d| {
         let (a, w) = (some(d), d.roll(9));
         let b = a + w;

@@ -300,6 +300,14 @@ impl Proof<'_> {
                 sign(positive, positive)
             }
             Formula::Call(Function::Sqrt, parts) => sign(true, self.sign(&parts[0])?.positive()),
+            Formula::Call(Function::Cos, parts) => {
+                // Between -pi/2 and pi/2.
+                let half = Formula::binary(Operator::Divide, Formula::Pi, Formula::integer(2));
+                let above = self.sign(&minus(&half, &parts[0]))?;
+                let below = self.sign(&minus(&parts[0], &Formula::Negate(Box::new(half))))?;
+                let inside = above.positive() && below.positive();
+                sign(inside, inside)
+            }
             Formula::Apply(name, _) => sign(self.is_density(name), false),
             Formula::Indicator(_) => sign(true, false),
             _ => sign(false, false),

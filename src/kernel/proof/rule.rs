@@ -92,7 +92,8 @@ rules! {
     /// `int(e + g, x = a..b) == int(e, x = a..b) + int(g, x = a..b)` where the two on the right are
     /// finite; the same with `-`, and with `mean(.., x ~ LAW)`.
     Split "split" "DLMF 1.4(v)",
-    /// `finite int(e, x = a..b)` for `a <= b`, from `finite e` on [a..b]; e continuous there.
+    /// `finite int(e, x = a..b)` for `a <= b`, from `finite e` on [a..b]; for all finite a and b, from
+    /// `finite e` on the whole line; e continuous there.
     Continuous "continuous" "DLMF 1.4(v)",
     /// `int(e, x = a..b) == inf` for `a < b`, g the argument, from `finite g` on [a..b],
     /// `e == g/(x - a)` on a..b, and `0 <= g` on a..b; g continuous, and positive at a. With a number

@@ -192,17 +192,18 @@ impl Builder<'_> {
 
     /// The value of a formula without names, where it is a rational number.
     fn computed(&mut self, e: &Formula) -> Option<Step> {
-        if !free_names(e).is_empty() || !free_functions(e).is_empty() {
-            return None;
-        }
-        match value(e, &Point::default(), &[], 64) {
-            Ok(Value::Finite { low, high }) if low == high => self.states_value(e, &low),
-            _ => None,
-        }
-    }
-
-    fn states_value(&mut self, e: &Formula, value: &Rational) -> Option<Step> {
-        let fact = Fact::Same(e.clone(), super::form::number(value));
+        let fact = Fact::Same(e.clone(), super::form::number(&exact(e)?));
         self.step(fact, Rule::Compute, &[], &[])
+    }
+}
+
+/// The rational number that a formula without names is.
+pub(super) fn exact(e: &Formula) -> Option<Rational> {
+    if !free_names(e).is_empty() || !free_functions(e).is_empty() {
+        return None;
+    }
+    match value(e, &Point::default(), &[], 64) {
+        Ok(Value::Finite { low, high }) if low == high => Some(low),
+        _ => None,
     }
 }

@@ -6,6 +6,7 @@
 use super::field::Field;
 use super::form::{integer, minus, number, plus};
 use super::known::Sign;
+use super::make::parts;
 use super::prune::prune;
 use crate::algebra::RationalFunction;
 use crate::formula::{Condition, Formula, Name, Point, Proposition, is_reserved};
@@ -326,16 +327,32 @@ impl<'p> Builder<'p> {
             lines: self.lines.iter().map(|line| (**line).clone()).collect(),
             links,
         };
+        let mut ends: Vec<Step> = whole.links.iter().map(|(_, step)| *step).collect();
+        let pruned = prune(&whole, &self.uses, ends.clone());
+        if pruned.check().is_ok() {
+            return Some(pruned);
+        }
         // That a side is finite may stand in for its value at the example.
-        let ends = whole.links.iter().flat_map(|(_, step)| {
-            let sides = self.fact(*step).sides().into_iter();
-            let finite = sides.filter_map(|side| self.seen(&Fact::Finite(side.clone())));
-            finite.chain([*step])
-        });
-        let pruned = prune(&whole, &self.uses, ends.collect());
+        for (_, step) in &whole.links {
+            let sides = self.fact(*step).sides();
+            sides
+                .into_iter()
+                .for_each(|e| self.finite_parts(e, &mut ends));
+        }
+        let pruned = prune(&whole, &self.uses, ends);
         [pruned, whole]
             .into_iter()
             .find(|script| script.check().is_ok())
+    }
+
+    /// The steps that say that parts of a formula are finite.
+    fn finite_parts(&self, e: &Formula, steps: &mut Vec<Step>) {
+        match self.seen(&Fact::Finite(e.clone())) {
+            Some(step) => steps.push(step),
+            None => parts(e)
+                .into_iter()
+                .for_each(|part| self.finite_parts(part, steps)),
+        }
     }
 
     /// Whether the variable of an open block stands for integers.

@@ -1,14 +1,15 @@
 //! The value of an integral: its body is simplified, then each tactic is tried in turn.
 
 use super::Builder;
+use super::atoms::exact;
 use super::evaluate::{Context, Value, evaluate, has_quantity, then};
 use super::integrand::Product;
-use super::make::{depends, int, integral, is_one, is_zero};
-use super::range::{rewritten, whole};
+use super::make::{depends, int, integral, is_one, is_zero, var};
+use super::range::{body_at, rewritten, whole};
 use super::substitution::by_argument;
 use super::support::narrowed;
 use super::{disc, primitive, substitution, weight};
-use crate::formula::{Formula, Ranged, substitute};
+use crate::formula::{Formula, Name, Ranged, substitute};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
@@ -18,6 +19,7 @@ pub(super) fn value(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Val
         evaluate_body,
         narrowed,
         tidy_ends,
+        at_a_point,
         by_argument,
         by_shape,
     ];
@@ -105,6 +107,18 @@ fn tidy_ends(b: &mut Builder, cx: &mut Context, r: &Ranged) -> Option<Value> {
     Some((next, step))
 }
 
+/// The integral from a number to itself is 0: that to any other is its own primitive.
+fn at_a_point(b: &mut Builder, _: &mut Context, r: &Ranged) -> Option<Value> {
+    (r.from == r.to).then_some(())?;
+    let other = b.fresh(&format!("{}'", r.name));
+    let body = body_at(r, &other)?;
+    let to = |end: &Name| integral(body.clone(), &other, r.from.clone(), var(end));
+    let (found, first) = primitive::by_primitive(b, r, &|end| Some(to(end)))?;
+    let second = b.ring(&found, &int(0), &[])?;
+    let step = b.chain(&[first, second], &whole(r), &int(0))?;
+    Some((int(0), step))
+}
+
 /// The number that a formula without names is by simple arithmetic; roots of 0 and 1 too.
 fn number_of(cx: &mut Context, e: &Formula) -> Option<Formula> {
     let tidy = cx.algebra.tidy(e);
@@ -119,7 +133,7 @@ fn number_of(cx: &mut Context, e: &Formula) -> Option<Formula> {
         {
             Some((**a).clone())
         }
-        _ => None,
+        _ => Some(super::form::number(&exact(e)?)),
     }
 }
 

@@ -3,6 +3,7 @@
 //! A wrong yes costs no soundness: the kernel refuses the step that was to rest on it.
 
 use super::builder::Builder;
+use super::form::{integer, minus, negate, over};
 use crate::algebra::RationalFunction;
 use crate::formula::{Formula, Function, FunctionKind, Name, Operator, ParameterKind, Rational};
 use crate::kernel::proof::Fact;
@@ -65,6 +66,10 @@ impl Builder<'_> {
                 parts.first().is_some_and(positive)
             }
             Formula::Call(Function::Beta | Function::Exp, _) => true,
+            Formula::Call(Function::Cos, parts) => parts
+                .iter()
+                .flat_map(beside_zeros)
+                .all(|gap| positive(&gap)),
             _ => false,
         }
     }
@@ -146,6 +151,15 @@ impl Builder<'_> {
         };
         parameters.any(|p| p.name == *name && density(&p.kind))
     }
+}
+
+/// What is positive for a number between the zeros of cosine at -pi/2 and pi/2.
+pub(super) fn beside_zeros(e: &Formula) -> [Formula; 2] {
+    let half = over(Formula::Pi, integer(2));
+    [
+        minus(half.clone(), e.clone()),
+        minus(e.clone(), negate(half)),
+    ]
 }
 
 pub(super) fn is_even(exponent: &Formula) -> bool {

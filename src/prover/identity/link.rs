@@ -4,8 +4,9 @@ use super::Builder;
 use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
 use super::linear::linear;
-use super::matching::{same, unified};
+use super::matching::{same, settle, unified};
 use super::powers::has_towers;
+use super::slope::by_slope;
 use super::unfold::{plain, undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
 use crate::kernel::proof::{Fact, Script, Step};
@@ -28,7 +29,11 @@ pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
                 Relation::Equal => link(&mut b, &mut cx, (first, left, right)),
                 _ => Fact::of_relation(left, *relation, right).and_then(|fact| b.relation(&fact)),
             };
-            proved.extend(step.map(|step| (at, step)));
+            if let Some(step) = step {
+                settle(&mut b, left);
+                settle(&mut b, right);
+                proved.push((at, step));
+            }
             at += 1;
             left = right;
         }
@@ -126,11 +131,11 @@ fn squeezed(
 }
 
 /// `x == y` without cases.
-fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
+pub(super) fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
     let floor: Way = |b, _, x, y| b.floor(x, y);
-    let ways: [Way; 9] = [
+    let ways: [Way; 10] = [
         same,
         recurrence,
         floor,
@@ -139,6 +144,7 @@ fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option
         by_value,
         by_plain_powers,
         from_one_end,
+        by_slope,
         undefined,
     ];
     ways.into_iter()

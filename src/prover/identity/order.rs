@@ -8,7 +8,7 @@ use super::atoms::Equations;
 use super::builder::Builder;
 use super::form::{integer, negate, number, over, power, times};
 use super::handelman::{Generator, degree, show};
-use super::known::{Sign, is_even};
+use super::known::{Sign, beside_zeros, is_even};
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
 use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
@@ -56,7 +56,10 @@ impl Builder<'_> {
         self.finite(e)?;
         let normal = self.field.borrow_mut().normal(e)?;
         let found = self.show_with(e, &normal, sign, &[]);
-        found.or_else(|| self.attempt(|builder| builder.show_by_atoms(e, sign)))
+        found
+            .or_else(|| self.attempt(|builder| builder.show_by_atoms(e, sign)))
+            .or_else(|| self.attempt(|builder| builder.show_raised(e)))
+            .or_else(|| self.attempt(|builder| builder.show_square(e)))
     }
 
     /// The same once powers and roots are split.
@@ -109,6 +112,10 @@ impl Builder<'_> {
             Formula::Call(Function::Gamma | Function::Sqrt, parts) => {
                 parts.first().is_some_and(|a| self.positive(a).is_some())
             }
+            Formula::Call(Function::Cos, parts) => parts
+                .iter()
+                .flat_map(beside_zeros)
+                .all(|gap| self.positive(&gap).is_some()),
             _ => false,
         }
     }

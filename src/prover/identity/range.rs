@@ -38,6 +38,16 @@ pub(super) fn on_closed<T>(
     on_range(b, name, hypotheses, inside)
 }
 
+/// Runs `inside` for a new variable that may be any real number.
+pub(super) fn on_line<T>(
+    b: &mut Builder,
+    base: &Name,
+    inside: impl FnOnce(&mut Builder, &Name) -> Option<T>,
+) -> Option<T> {
+    let name = b.fresh(base);
+    on_range(b, name, Vec::new(), inside)
+}
+
 fn on_range<T>(
     b: &mut Builder,
     name: Name,

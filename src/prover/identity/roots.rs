@@ -5,7 +5,7 @@ use super::builder::Builder;
 use super::form::{integer, minus, over, plus, power, times};
 use super::powers::rational_exponent;
 use crate::algebra::{Polynomial, RationalFunction, Symbol};
-use crate::formula::{Formula, Function};
+use crate::formula::{Formula, Function, Operator};
 use crate::kernel::proof::{Fact, Rule, Step};
 use std::collections::BTreeMap;
 
@@ -27,6 +27,52 @@ impl Builder<'_> {
         b: &Formula,
         equations: &Equations,
     ) -> Option<Step> {
+        let roots = self.roots(equations)?;
+        let (first, from) = self.reduced(a, &roots, equations)?;
+        let (second, to) = self.reduced(b, &roots, equations)?;
+        let rest = equations.difference(self, &first, &second)?;
+        if !rest.is_zero() {
+            let middle = self.equal_by_rest((&first, &second), &rest, &roots, equations)?;
+            return self.chain(&[from, middle, to], a, b);
+        }
+        let middle = self.ring(&first, &second, &equations.steps())?;
+        self.chain(&[from, middle, to], a, b)
+    }
+
+    /// `a == b`, where the numerator of their difference is 0 once roots are raised in it.
+    fn equal_by_rest(
+        &mut self,
+        (a, b): (&Formula, &Formula),
+        rest: &RationalFunction,
+        roots: &Roots,
+        equations: &Equations,
+    ) -> Option<Step> {
+        let rest = self.field.borrow().write(rest);
+        let (above, below) = match &rest {
+            Formula::Binary(Operator::Divide, above, below) => (&**above, &**below),
+            whole => (whole, &integer(1)),
+        };
+        let (raised, first) = self.reduced(above, roots, equations)?;
+        let second = self.ring(&raised, &integer(0), &equations.steps())?;
+        let vanishes = self.chain(&[first, second], above, &integer(0))?;
+        let with = |above: &Formula| plus(a.clone(), over(above.clone(), below.clone()));
+        let (sum, none) = (with(above), with(&integer(0)));
+        self.finite(&sum)?;
+        let first = self.ring(a, &none, &[])?;
+        let second = self.congruent(&sum, &none, &[vanishes])?;
+        let third = self.ring(&sum, b, &equations.steps())?;
+        self.chain(&[first, second, third], a, b)
+    }
+
+    /// The formula with its roots raised to their powers.
+    pub(super) fn without_roots(&mut self, e: &Formula) -> Option<(Formula, Step)> {
+        let equations = Equations::find(self, &[e], &[])?;
+        let roots = self.roots(&equations)?;
+        self.reduced(e, &roots, &equations)
+    }
+
+    /// The roots among the atoms that no equation replaces, if there are any.
+    fn roots(&mut self, equations: &Equations) -> Option<Roots> {
         let atoms: Vec<(Symbol, Formula)> = equations
             .rest()
             .map(|(symbol, atom)| (symbol.clone(), atom.clone()))
@@ -37,17 +83,7 @@ impl Builder<'_> {
                 roots.insert(symbol, root);
             }
         }
-        if roots.is_empty() {
-            return None;
-        }
-        let (first, from) = self.reduced(a, &roots, equations)?;
-        let (second, to) = self.reduced(b, &roots, equations)?;
-        let same = equations.difference(self, &first, &second)?.is_zero();
-        if !same {
-            return None;
-        }
-        let middle = self.ring(&first, &second, &equations.steps())?;
-        self.chain(&[from, middle, to], a, b)
+        (!roots.is_empty()).then_some(roots)
     }
 
     /// `(b^(c/d))^d == b^c`; a cosine is the root of `1 - sin(x)^2`.

@@ -320,3 +320,81 @@ fn conditions_of_draws() {
         proved(&format!("{given}{says}"), "a=1,b=2");
     }
 }
+
+#[test]
+fn derivatives() {
+    for (text, at) in [
+        (
+            "given real x\nsays diff(x^2*exp(-x), x) == (2*x - x^2)*exp(-x)",
+            "x=1",
+        ),
+        (
+            "given real x, y\ndomain 0 < x < y\nsays diff(ln(x*(y - x)), x) == 1/x - 1/(y - x)",
+            "x=1,y=2",
+        ),
+        (
+            "given int d; real x\ndomain d >= 1\nsays diff((x^d + 1)^2, x) == 2*d*x^(d-1)*(x^d + 1)",
+            "d=1,x=0",
+        ),
+        (
+            "given real x\nsays diff(1/sin(x), x) == -cos(x)/sin(x)^2",
+            "x=1",
+        ),
+        (
+            "given real x\nsays cos(x)*diff(sin(x), x) == 1 - sin(x)^2",
+            "x=0",
+        ),
+        (
+            "given real x\ndomain x > 0\nsays int(ln(x), x) == x*ln(x) - x",
+            "x=1",
+        ),
+    ] {
+        proved(text, at);
+    }
+}
+
+#[test]
+fn discs() {
+    let text = "given real r, c\ndomain r > 0\ndomain c > 0\n";
+    for says in [
+        "int(sqrt(r^2 - x^2), x = -r..r) == pi*r^2/2",
+        "int(c*sqrt(2*r*x - x^2), x = 0..2*r)/c == pi*r^2/2",
+        "int(sin(x)/r, x = 0..pi) == 2/r",
+    ] {
+        proved(&format!("{text}says {says}"), "r=1,c=2");
+    }
+}
+
+#[test]
+fn integrals_with_other_ends() {
+    for (text, at) in [
+        (
+            "given real x\nsays int(1/(1 + t^2), t = 0..x) == int(2/(2 + 2*t^2), t = 0..x)",
+            "x=1",
+        ),
+        (
+            "given real x\nsays int(1/(1 + t^2), t = 0..-x) == -int(1/(1 + t^2), t = 0..x)",
+            "x=0",
+        ),
+        (
+            "given real x, y\ndomain 0 < x < y\nsays int(exp(-t^2), t = 0..y) == int(exp(-t^2), t = x..y) + int(exp(-s^2), s = 0..x)",
+            "x=1,y=2",
+        ),
+        (
+            "given real x\ndomain x > 1\nsays int(t, t = min(x, 1)..max(0, x)) == (x^2 - 1)/2",
+            "x=2",
+        ),
+    ] {
+        proved(text, at);
+    }
+}
+
+#[test]
+fn signs_with_roots() {
+    assert!(sign("given real x", "x^2 - sqrt(2)*x + 1", 1));
+    assert!(sign("given real x", "2*x^2 + 3*x*sqrt(5) + 6", 1));
+    assert!(!sign("given real x", "x^2 - sqrt(5)*x + 1", 1));
+    assert!(sign("given real x", "3 - sqrt(2)^2", 1));
+    assert!(sign("given real x\ndomain -pi/2 < x < 0", "cos(x)", 1));
+    assert!(!sign("given real x\ndomain -pi < x < 0", "cos(x)", 2));
+}

@@ -5,7 +5,7 @@ use super::Builder;
 use super::evaluate::{Context, Value};
 use super::integrand::{Product, product_of};
 use super::make::{add, int, integral, is_zero, pow, sub, var};
-use super::range::{on_closed, rewritten, whole};
+use super::range::{on_closed, on_line, rewritten, whole};
 use super::special::beta_weight;
 use super::{moment, primitive};
 use crate::formula::{Formula, Function, Name, Operator, Ranged, substitute};
@@ -142,7 +142,7 @@ pub(super) fn scaled(
     Some((rest, step))
 }
 
-/// `finite int(e)` where e is continuous on the closed range.
+/// `finite int(e)` where e is continuous on the closed range, or all over.
 pub(super) fn continuous(b: &mut Builder, e: &Formula) -> Option<Step> {
     let fact = Fact::Finite(e.clone());
     if let Some(step) = b.seen(&fact) {
@@ -152,10 +152,14 @@ pub(super) fn continuous(b: &mut Builder, e: &Formula) -> Option<Step> {
         return None;
     };
     let width = Formula::binary(Subtract, r.to.clone(), r.from.clone());
-    b.nonnegative(&width)?;
-    let step = on_closed(b, &r.name, (&r.from, &r.to), |b, x| {
-        b.finite_step(&super::range::body_at(r, x)?)
-    })?;
+    let inside = |b: &mut Builder, x: &Name| b.finite_step(&super::range::body_at(r, x)?);
+    let step = match b.nonnegative(&width) {
+        Some(()) => on_closed(b, &r.name, (&r.from, &r.to), inside)?,
+        None => {
+            b.finite(&width)?;
+            on_line(b, &r.name, inside)?
+        }
+    };
     b.step(fact, Rule::Continuous, &[step], &[])
 }
 

@@ -90,8 +90,11 @@ impl<'a> Check<'a, '_> {
             return reject("the rule concludes that an integral is finite");
         };
         let r = integral(left)?;
-        let ends = self.ends(r, false)?;
-        let (x, fact) = self.on_range(0, ends, true, false)?;
+        let (x, fact) = self.on_range(0, (&r.from, &r.to), true, false)?;
+        if self.ends(r, false).is_err() {
+            self.is_finite(&above(&r.from, &r.to))?;
+            self.on_range(0, (&r.to, &r.from), true, false)?;
+        }
         let e = body_at(r, x)?;
         states(fact, &Fact::Finite(e.clone()))?;
         is_continuous(&e, x)

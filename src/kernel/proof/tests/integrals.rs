@@ -307,8 +307,27 @@ fn continuous_integrands() {
     );
     no(
         &format!("{t}9: finite int(t, t = 1..0) | continuous 3"),
-        "nonnegative",
+        "supposes more",
     );
+    let all = on("t real", "3: finite t | finite");
+    yes(&format!("{all}9: finite int(t, t = 0..1) | continuous 3"));
+    yes(&format!("{all}9: finite int(t, t = 1..0) | continuous 3"));
+    yes(&format!("{all}9: finite int(t, t = z..x) | continuous 3"));
+    no(
+        &format!("{all}9: finite int(t, t = 0..1/z) | continuous 3"),
+        "finite",
+    );
+    no(
+        &format!("{all}9: finite int(t, t = 0..inf) | continuous 3"),
+        "finite",
+    );
+    for range in ["t real | 1: z <= t", "t real | 1: t <= x"] {
+        let some = on(range, "3: finite t | finite");
+        no(
+            &format!("{some}9: finite int(t, t = z..x) | continuous 3"),
+            "supposes more",
+        );
+    }
     no(
         &format!("{t}9: int(t, t = 0..1) == 1 | continuous 3"),
         "concludes that an integral",

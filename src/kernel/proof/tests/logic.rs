@@ -249,6 +249,26 @@ fn rational_arithmetic_with_equations() {
 }
 
 #[test]
+fn cosines_between_their_zeros() {
+    let of = |below: &str, above: &str| {
+        format!("{{ | 5: {below} < y | 6: y < {above}\n9: 0 < cos(y) | order")
+    };
+    yes(&of("-pi/2", "pi/2"));
+    yes("5: 0 < pi/2 | order\n9: 0 < cos(0) | order");
+    no(&of("-pi/2", "pi"), "positive");
+    no(&of("-pi", "pi/2"), "positive");
+    no(&of("-pi/2", "pi/2").replace("cos", "sin"), "positive");
+    no(
+        "{ | 5: -pi/2 < y | 6: y <= pi/2\n9: 0 <= cos(y) | order",
+        "nonnegative",
+    );
+    no(
+        "{ | 5: -pi/2 <= y | 6: y < pi/2\n9: cos(y) != 0 | order",
+        "nonzero",
+    );
+}
+
+#[test]
 fn chains() {
     let block = "{ | 5: f(x) == y | 6: h(x) == y | 7: h(x) == k\n";
     yes(&format!("{block}9: f(x) == k | chain 5 6 7"));

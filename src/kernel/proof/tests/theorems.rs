@@ -143,6 +143,37 @@ fn an_example_without_values() {
         5: sqrt(int(sqrt(t), t = 0..1)^2) == (int(sqrt(t), t = 0..1)^2)^(1/2) | power
         qed 5";
     proves(text);
+    let slope = "theorem
+        given real x
+        says diff(x*int(sqrt(t), t = 0..1), x) == int(sqrt(t), t = 0..1)
+        example x = 0
+        proof
+        { t real | 1: 0 <= t | 2: t <= 1
+          3: finite sqrt(t) | finite
+        }
+        4: finite int(sqrt(t), t = 0..1) | continuous 3
+        { y real
+          5: finite y*int(sqrt(t), t = 0..1) | finite
+          6: finite 1*int(sqrt(t), t = 0..1) | finite
+        }
+        7: diff(x*int(sqrt(t), t = 0..1), x) == 1*int(sqrt(t), t = 0..1) | derivative 5 6
+        8: 1*int(sqrt(t), t = 0..1) == int(sqrt(t), t = 0..1) | ring
+        9: diff(x*int(sqrt(t), t = 0..1), x) == int(sqrt(t), t = 0..1) | chain 7 8
+        10: int(sqrt(t), t = 0..1) == diff(x*int(sqrt(t), t = 0..1), x) | chain 9
+        11: int(sqrt(t), t = 0..1) < int(sqrt(t), t = 0..1) + 1 | order
+        qed 9";
+    proves(slope);
+    let (left, right) = (
+        "diff(x*int(sqrt(t), t = 0..1), x)",
+        "int(sqrt(t), t = 0..1)",
+    );
+    let says = format!("says {left} == {right}");
+    for (new, step) in [
+        (format!("says {right} == {left}"), "qed 10"),
+        (format!("says {right} < {right} + 1"), "qed 11"),
+    ] {
+        proves(&slope.replace(&says, &new).replace("qed 9", step));
+    }
     // Both sides have the same value, but it is not known to be one.
     let open = "theorem
         says int(sqrt(t), t = 0..1) == int(sqrt(s), s = 0..1)
