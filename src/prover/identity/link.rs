@@ -2,7 +2,7 @@
 
 use super::Builder;
 use super::evaluate::{Context, evaluate};
-use super::linear::linear;
+use super::linear::{in_moments, linear};
 use super::matching::{same, unified};
 use super::unfold::{undefined, unfolded};
 use crate::formula::{Formula, Name, Point, Proposition, Relation, Statement};
@@ -123,12 +123,18 @@ fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }
 
-/// Both sides with constants taken out of their means and variances, then compared part by part.
+/// Both sides with constants taken out of their means and variances, then compared part by part; or
+/// else with the variances as means.
 fn by_linearity(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     let (u, first) = linear(b, cx, x)?;
     let (v, last) = linear(b, cx, y)?;
-    let middle = same(b, cx, &u, &v)?;
-    b.chain(&[first, middle, last], x, y)
+    if let Some(middle) = b.attempt(|b| same(b, cx, &u, &v)) {
+        return b.chain(&[first, middle, last], x, y);
+    }
+    let (p, second) = in_moments(b, &u)?;
+    let (q, third) = in_moments(b, &v)?;
+    let middle = b.equal(&p, &q)?;
+    b.chain(&[first, second, middle, third, last], x, y)
 }
 
 /// Both sides with means, variances and densities unfolded, then compared part by part.
