@@ -101,7 +101,8 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
 
 /// Checks that a statement says something at a point: it is certainly in the domain with all laws
 /// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
-/// which are not proved to contradict the link. For a law that is not given, one that has all the
+/// which are not proved to contradict the link. Of an equation, which is proved, one value is enough
+/// where the other is not found: it is the same. For a law that is not given, one that has all the
 /// means is enough: they are finite for the uniform law on 0..1 where the two sides are.
 ///
 /// # Errors
@@ -300,9 +301,16 @@ fn failure((left, relation, right): &Link, scope: &Scope) -> Result<Option<Refut
 /// Both sides have a value, a number where that is asked for, and the relation between them is not
 /// seen to fail.
 fn agreement((left, relation, right): &Link, numbers: bool, scope: &Scope) -> Result<(), Unknown> {
-    let missing = "a side without value";
-    let left = known(evaluate(left, scope), missing)?;
-    let right = known(evaluate(right, scope), missing)?;
+    let mut sides = [evaluate(left, scope), evaluate(right, scope)];
+    if *relation == Relation::Equal {
+        match &sides {
+            [Ok(value), Err(Gap::Unknown(_))] => sides[1] = Ok(value.clone()),
+            [Err(Gap::Unknown(_)), Ok(value)] => sides[0] = Ok(value.clone()),
+            _ => {}
+        }
+    }
+    let [left, right] = sides.map(|side| known(side, "a side without value"));
+    let (left, right) = (left?, right?);
     if numbers {
         left.clone().number()?;
         right.clone().number()?;

@@ -133,6 +133,30 @@ fn examples_have_two_values_that_agree() {
     }
 }
 
+/// The kernel has no rule for a root of a draw: of an equation that is proved the other side tells.
+#[test]
+fn examples_of_an_equation_have_one_value() {
+    for (says, shown) in [
+        ("prob(sqrt(X) < 1/2) == 1/4", true),
+        ("1/4 == prob(sqrt(X) < 1/2)", true),
+        ("prob(sqrt(X) < 1/2) == prob(sqrt(X) < 1/2)", false),
+        ("prob(sqrt(X) < 1/2) == ln(0)", false),
+        ("ln(0) == prob(sqrt(X) < 1/2)", false),
+        ("ln(0) == ln(0)", false),
+        ("1/4 == ln(0)", false),
+        ("ln(0) == 1/4", false),
+        ("1/4 == 1/5", false),
+        ("prob(sqrt(X) < 1/2) < 1", false),
+        ("0 < prob(sqrt(X) < 1/2)", false),
+        ("0 != prob(sqrt(X) < 1/2)", false),
+    ] {
+        let text = format!("draw X ~ uniform(0, 1)\nsays {says}");
+        let proposition = parse_proposition(&text).expect(&text);
+        let found = check_example(&proposition, &point(&[]), &[0]);
+        assert_eq!(found.is_ok(), shown, "{text}");
+    }
+}
+
 /// For a law that is not given an example has one, under which the sides are numbers; a refutation
 /// would need all laws.
 #[test]

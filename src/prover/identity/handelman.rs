@@ -24,16 +24,16 @@ pub(super) struct Generator {
     pub strict: bool,
 }
 
-/// The goal as a sum of products of at most so many generators; of its terms, in the strict case,
-/// one is positive and comes first.
+/// The goal as a sum of products of at most so many generators, none of a degree above the cap; of its
+/// terms, in the strict case, one is positive and comes first.
 pub(super) fn show(
     goal: &Polynomial,
     generators: &[Generator],
     strict: bool,
-    factors: usize,
+    (factors, cap): (usize, u32),
     field: &Field,
 ) -> Option<Formula> {
-    let products = products(generators, factors, degree(goal), field)?;
+    let products = products(generators, factors, cap, field)?;
     let monomials: BTreeSet<&Monomial> = products
         .iter()
         .map(|product| &product.polynomial)
@@ -89,7 +89,7 @@ fn write(products: &[Generator], weights: &[Rational], scale: &Rational) -> Opti
     written.reduce(plus)
 }
 
-/// 1 and all products of so many generators whose degree is not above the goal's.
+/// 1 and all products of so many generators whose degree is not above the cap.
 fn products(
     generators: &[Generator],
     factors: usize,

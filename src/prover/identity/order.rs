@@ -306,6 +306,7 @@ impl Builder<'_> {
             return Some(sum);
         }
         self.show_multiplied(p, &reached, &far, strict)
+            .or_else(|| self.show_below(p, &far, strict))
     }
 
     /// As a sum over a positive denominator of one of the relations.
@@ -328,6 +329,17 @@ impl Builder<'_> {
     fn show_by(&self, p: &Polynomial, by: &[Generator], strict: bool) -> Option<Formula> {
         let field = self.field.borrow();
         let factors = usize::try_from(degree(p)).unwrap_or(FACTORS).min(FACTORS);
-        (1..=factors).find_map(|factors| show(p, by, strict, factors, &field))
+        (1..=factors).find_map(|factors| show(p, by, strict, (factors, degree(p)), &field))
+    }
+
+    /// By relations of a higher degree than the polynomial's own, with products of two that cancel
+    /// against them.
+    fn show_below(&self, p: &Polynomial, by: &[Generator], strict: bool) -> Option<Formula> {
+        let cap = by
+            .iter()
+            .map(|generator| degree(&generator.polynomial))
+            .max()?;
+        let higher = cap > degree(p) && cap == 2;
+        higher.then(|| show(p, by, strict, (2, cap), &self.field.borrow()))?
     }
 }
