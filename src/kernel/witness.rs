@@ -101,9 +101,10 @@ pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Ref
 
 /// Checks that a statement says something at a point: it is certainly in the domain with all laws
 /// valid, and at each of the links (counted as in [`Witness::link`]) both sides have a value there,
-/// which are not proved to contradict the link. A link is given with whether its sides are known to be
-/// finite on the whole domain; then a value need not be found. For a law that is not given, one that
-/// has all the means is enough: they are finite for the uniform law on 0..1 where the two sides are.
+/// which are not proved to contradict the link. Of an equation, which is proved, one value is enough
+/// where the other is not found: it is the same. A link is given with whether its sides are known to be
+/// finite on the whole domain; then no value need be found. For a law that is not given, one that has
+/// all the means is enough: they are finite for the uniform law on 0..1 where the two sides are.
 ///
 /// # Errors
 /// [`Unknown`] with the reason where that is not proved.
@@ -300,15 +301,17 @@ fn failure((left, relation, right): &Link, scope: &Scope) -> Result<Option<Refut
     }))
 }
 
-/// Both sides have a value, be it one that the kernel does not find where they are known to be
-/// `finite`, and the relation between them is not seen to fail.
+/// Both sides have a value, be it one that the kernel does not find: that of the other side of an
+/// equation, or one where the sides are known to be `finite`. The relation is not seen to fail.
 fn agreement((left, relation, right): &Link, finite: bool, scope: &Scope) -> Result<(), Unknown> {
-    let value = |side| match evaluate(side, scope) {
-        Err(Gap::Unknown(_)) if finite => Ok(None),
-        found => known(found, "a side without value").map(Some),
-    };
-    let (Some(left), Some(right)) = (value(left)?, value(right)?) else {
-        return Ok(());
+    let tells = finite || *relation == Relation::Equal;
+    let (left, right) = match (evaluate(left, scope), evaluate(right, scope)) {
+        (Err(Gap::Unknown(_)), Err(Gap::Unknown(_))) if finite => return Ok(()),
+        (Ok(_), Err(Gap::Unknown(_))) | (Err(Gap::Unknown(_)), Ok(_)) if tells => return Ok(()),
+        (left, right) => (
+            known(left, "a side without value")?,
+            known(right, "a side without value")?,
+        ),
     };
     match relate(&left, *relation, &right, scope) {
         Ok(false) => unknown("the two sides contradict the relation"),

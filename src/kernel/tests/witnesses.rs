@@ -136,18 +136,47 @@ fn examples_have_two_values_that_agree() {
     }
 }
 
-/// A value that the kernel does not find is one where the sides are known to be finite.
+/// A value that the kernel does not find is that of the other side of the equation, or one where the
+/// sides are known to be finite.
 #[test]
 fn examples_may_be_known_to_have_values() {
-    let says = "int(sqrt(t), t = 0..1) == 1/(x - 1) and int(x, x) == x^2";
+    let says = "int(sqrt(t), t = 0..1) == 1/(x - 1) and int(x, x) == x^2 and int(sqrt(t), t = 0..1) == \
+        int(sqrt(s), s = 0..1) and 0 < int(sqrt(t), t = 0..1)";
     let proposition = parse_proposition(&format!("given real x\nsays {says}")).expect(says);
     let shows = |x: &str, link| check_example(&proposition, &point(&[("x", x)]), &[link]).is_ok();
-    assert!(shows("2", (0, true)));
-    assert!(!shows("2", (0, false)));
+    assert!(shows("2", (0, false)));
     assert!(!shows("1", (0, true)));
     // An antiderivative is judged by derivatives.
     assert!(shows("0", (1, false)));
     assert!(!shows("2", (1, false)));
+    for link in [2, 3] {
+        assert!(shows("2", (link, true)));
+        assert!(!shows("2", (link, false)));
+    }
+}
+
+/// The kernel has no rule for a root of a draw: of an equation that is proved the other side tells.
+#[test]
+fn examples_of_an_equation_have_one_value() {
+    for (says, shown) in [
+        ("prob(sqrt(X) < 1/2) == 1/4", true),
+        ("1/4 == prob(sqrt(X) < 1/2)", true),
+        ("prob(sqrt(X) < 1/2) == prob(sqrt(X) < 1/2)", false),
+        ("prob(sqrt(X) < 1/2) == ln(0)", false),
+        ("ln(0) == prob(sqrt(X) < 1/2)", false),
+        ("ln(0) == ln(0)", false),
+        ("1/4 == ln(0)", false),
+        ("ln(0) == 1/4", false),
+        ("1/4 == 1/5", false),
+        ("prob(sqrt(X) < 1/2) < 1", false),
+        ("0 < prob(sqrt(X) < 1/2)", false),
+        ("0 != prob(sqrt(X) < 1/2)", false),
+    ] {
+        let text = format!("draw X ~ uniform(0, 1)\nsays {says}");
+        let proposition = parse_proposition(&text).expect(&text);
+        let found = check_example(&proposition, &point(&[]), &[(0, false)]);
+        assert_eq!(found.is_ok(), shown, "{text}");
+    }
 }
 
 /// For a law that is not given an example has one, under which the sides are numbers; a refutation

@@ -2,14 +2,29 @@
 
 use super::Builder;
 use super::evaluate::{Context, Value, value};
-use super::law::{by_density, own_draw};
-use super::make::{depends, int, integral, replaced};
+use super::law::{by_density, by_moments, own_draw};
+use super::make::{depends, int, integral, replaced, var};
 use super::matching::map_quantities;
+use super::range::on_open;
 use super::weight::continuous;
-use crate::formula::{Draw, Formula, Operator};
+use crate::formula::{Draw, Formula, Law, Operator, substitute};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 use Operator::{Add, Multiply, Power, Subtract};
+
+/// The formula with variances as what means make of them.
+pub(super) fn in_moments(b: &mut Builder, e: &Formula) -> Option<Value> {
+    let mut steps = Vec::new();
+    let found = map_quantities(e, &mut |q| match b.attempt(|b| by_moments(b, q)) {
+        Some((found, step)) => {
+            steps.push(step);
+            found
+        }
+        None => q.clone(),
+    });
+    let step = b.congruent(e, &found, &steps)?;
+    Some((found, step))
+}
 
 /// The formula with constants taken out of its means and variances.
 pub(super) fn linear(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
@@ -102,6 +117,17 @@ fn mean(b: &mut Builder, cx: &mut Context, e: &Formula, draw: &Draw) -> Option<V
     let whole = of(e);
     let found = match e {
         _ if !depends(e, &draw.name) => value(b, cx, &whole)?,
+        Formula::Binary(Power, base, n) if **n == int(2) && parted(base, draw).is_some() => {
+            let next = parted(base, draw)?;
+            let (from, to) = support(&draw.law)?;
+            let step = on_open(b, &draw.name, (&from, &to), |b, x| {
+                let at = |e: &Formula| substitute(e, &[(draw.name.clone(), var(x))]).ok();
+                b.equal(&at(e)?, &at(&next)?)
+            })?;
+            let first = b.congruent(&whole, &of(&next), &[step])?;
+            let (found, second) = mean(b, cx, &next, draw)?;
+            (found.clone(), b.chain(&[first, second], &whole, &found)?)
+        }
         Formula::Binary(operator @ (Add | Subtract), g, h) => {
             let (u, first) = mean(b, cx, g, draw)?;
             let (v, second) = mean(b, cx, h, draw)?;
@@ -140,6 +166,29 @@ fn mean(b: &mut Builder, cx: &mut Context, e: &Formula, draw: &Draw) -> Option<V
         }
     };
     Some(found)
+}
+
+/// The square of a difference to a constant, in parts.
+fn parted(base: &Formula, draw: &Draw) -> Option<Formula> {
+    let Formula::Binary(operator @ (Add | Subtract), g, c) = base else {
+        return None;
+    };
+    (!depends(c, &draw.name)).then_some(())?;
+    let square = |e: &Formula| Formula::binary(Power, e.clone(), int(2));
+    let twice = Formula::binary(Multiply, int(2), (**c).clone());
+    let twice = Formula::binary(Multiply, twice, (**g).clone());
+    let first = Formula::binary(*operator, square(g), twice);
+    Some(Formula::binary(Add, first, square(c)))
+}
+
+/// The ends between which a draw lies.
+fn support(law: &Law) -> Option<(Formula, Formula)> {
+    match law {
+        Law::Beta(..) => Some((int(0), int(1))),
+        Law::Uniform(from, to) | Law::Density { from, to, .. } => Some((from.clone(), to.clone())),
+        Law::Order(_, _, of) => support(of),
+        Law::Any => None,
+    }
 }
 
 /// That a mean over a draw is finite: by its law, or by the integral that it is.

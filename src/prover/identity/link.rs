@@ -3,7 +3,7 @@
 use super::Builder;
 use super::additive::from_one_end;
 use super::evaluate::{Context, evaluate};
-use super::linear::linear;
+use super::linear::{in_moments, linear};
 use super::matching::{same, settle, unified};
 use super::powers::has_towers;
 use super::slope::by_slope;
@@ -151,12 +151,18 @@ pub(super) fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula
         .find_map(|way| b.attempt(|b| way(b, cx, x, y)))
 }
 
-/// Both sides with constants taken out of their means and variances, then compared part by part.
+/// Both sides with constants taken out of their means and variances, then compared part by part; or
+/// else with the variances as means.
 fn by_linearity(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     let (u, first) = linear(b, cx, x)?;
     let (v, last) = linear(b, cx, y)?;
-    let middle = same(b, cx, &u, &v)?;
-    b.chain(&[first, middle, last], x, y)
+    if let Some(middle) = b.attempt(|b| same(b, cx, &u, &v)) {
+        return b.chain(&[first, middle, last], x, y);
+    }
+    let (p, second) = in_moments(b, &u)?;
+    let (q, third) = in_moments(b, &v)?;
+    let middle = b.equal(&p, &q)?;
+    b.chain(&[first, second, middle, third, last], x, y)
 }
 
 /// Both sides with means, variances and densities unfolded, then compared part by part.
