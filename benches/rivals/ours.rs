@@ -43,14 +43,10 @@ fn point(k: u64, digits: u32) -> Option<()> {
         let call = || enclose(quantity, black_box(&shell), digits);
         print_point(job, k, digits, best(call), &call().ok()?);
     }
-    let bits = digits * 3322 / 1000 + 16;
-    let both = || {
-        let block = sweep(&Layout::Triangular, &k.into(), &k.into(), digits).next()?;
-        let block = block.ok()?;
-        let photon = block.photons().next()?;
-        Some([photon.mean()?, photon.variance()?].map(|value| value.enclose(bits)))
-    };
-    print_point('B', k, digits, best(both), &both()?[1]);
+    let both =
+        || [Quantity::Mean, Quantity::Variance].map(|q| enclose(q, black_box(&shell), digits));
+    let [_, variance] = both();
+    print_point('B', k, digits, best(both), &variance.ok()?);
     Some(())
 }
 

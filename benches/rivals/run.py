@@ -101,7 +101,7 @@ def correct_digits(value, truth):
     (a, p), (b, q) = scaled(value), scaled(truth)
     low = min(p, q)
     a, b = a * 10 ** (p - low), b * 10 ** (q - low)
-    return len(str(abs(b))) - len(str(abs(a - b))) if a != b else 99
+    return max(0, len(str(abs(b))) - len(str(abs(a - b)))) if a != b else sys.maxsize
 
 
 def median(values):
@@ -122,12 +122,12 @@ def print_points(table, digits, photons):
 
 
 def print_digits(table, digits, photons):
-    for tool in ("mpmath", "thesis"):
+    for tool in ("ours", "mpmath", "thesis"):
         for job in "EV":
             rows = [(table.get((tool, job, k, digits)), table.get(("C FLINT", job, k, digits))) for k in photons]
             if all(value and truth for value, truth in rows):
                 right = [min(digits, correct_digits(v[1], t[1])) for v, t in rows]
-                print(f"{job} {tool:7} digits right" + "".join(f"{d:>10}" for d in right))
+                print(f"{job} {tool + ', digits right':20}" + "".join(f"{d:>10}" for d in right))
 
 
 def print_sweeps(costs):

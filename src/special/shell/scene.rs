@@ -4,6 +4,9 @@ use super::ShellError;
 use crate::model::Shell;
 use rug::Rational;
 
+/// No larger shift than this: beyond, series in w converge too slowly.
+const MOST_SHIFT: u32 = 16;
+
 /// A positive fraction of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
@@ -37,6 +40,8 @@ pub(super) struct Scene {
     pub(super) q: u64,
     /// m+1
     pub(super) s: u64,
+    /// The least g with `w/(1-w) <= 2^g`
+    pub(super) shift: u32,
     /// The denominator of the volumes: A = `k.below/unit`.
     unit: u64,
 }
@@ -63,8 +68,11 @@ impl Scene {
             .checked_add(l.checked_mul(unit)?)?
             .checked_mul(other)?;
         let s = m.checked_add(1)?;
+        let w = Fraction::reduced(own, outer)?;
+        let shift = (0..=MOST_SHIFT)
+            .find(|&g| u128::from(w.above) <= u128::from(w.below - w.above) << g)?;
         Some(Scene {
-            w: Fraction::reduced(own, outer)?,
+            w,
             k: Fraction {
                 above: photon,
                 below: outer,
@@ -72,8 +80,17 @@ impl Scene {
             l,
             q: s - l,
             s,
+            shift,
             unit: unit.checked_mul(other)?,
         })
+    }
+
+    /// p q and d s - p (q+1), w = p/d.
+    pub(super) fn second_moment(&self) -> Option<(u64, u64)> {
+        let (p, d) = (self.w.above, self.w.below);
+        let falls = p.checked_mul(self.q.checked_add(1)?)?;
+        let slope = d.checked_mul(self.s)?.checked_sub(falls)?;
+        Some((p.checked_mul(self.q)?, slope))
     }
 
     /// (k - mu)/A = (l/A)(1 - V/s), about.

@@ -109,7 +109,9 @@ impl Sketch {
             Quantity::Excess => (self.k / self.excess().abs()).log2().max(0.0),
             Quantity::Variance => {
                 let slope = (self.s - self.w * (self.q + 1.0)) / self.inside;
-                ((slope + 4.0) / self.spread()).log2().max(0.0)
+                ((slope + 3.0 + 2.0 / self.inside) / self.spread())
+                    .log2()
+                    .max(0.0)
             }
         }
     }
