@@ -74,8 +74,6 @@ rules! {
     Cases "cases" "",
     /// `at(e, x = t, ...) == e[x:=t, ...]`, every t finite.
     At "at" "",
-    /// `floor(e) == n` for an integer n with `n <= e < n + 1`.
-    Floor "floor" "",
     /// `int(e, x = a..b) == F[x:=b] - F[x:=a]` for `a <= b`, F the argument, from `finite F` on
     /// [a..b], `F' == e` on a..b, and `finite e` on [a..b]; F and e continuous there.
     Primitive "primitive" "DLMF 1.4(v)",

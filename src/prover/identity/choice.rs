@@ -1,8 +1,8 @@
-//! Formulas at a place, and those that choose: `if`, `min`, `max` and `floor`.
+//! Formulas at a place, and those that choose: `if`, `min` and `max`.
 
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate, then};
-use super::form::{integer, minus, plus};
+use super::form::minus;
 use crate::formula::{Formula, Function, Name, substitute};
 use crate::kernel::proof::{Fact, Rule, Step};
 
@@ -26,19 +26,6 @@ impl Builder<'_> {
             }
             builder.step(fact.clone(), Rule::Order, &[], &[difference])
         })
-    }
-
-    /// `floor(e) == n`
-    pub fn floor(&mut self, x: &Formula, n: &Formula) -> Option<Step> {
-        let Formula::Call(Function::Floor, parts) = x else {
-            return None;
-        };
-        let e = parts.first()?;
-        self.finite(e)?;
-        self.nonnegative(&minus(e.clone(), n.clone()))?;
-        self.positive(&minus(plus(n.clone(), integer(1)), e.clone()))?;
-        let fact = Fact::Same(x.clone(), n.clone());
-        self.step(fact, Rule::Floor, &[], &[])
     }
 }
 

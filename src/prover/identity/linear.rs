@@ -3,8 +3,8 @@
 use super::Builder;
 use super::evaluate::{Context, Value, value};
 use super::law::{by_density, by_moments, own_draw};
-use super::make::{depends, int, integral, replaced, var};
-use super::matching::map_quantities;
+use super::make::{depends, int, integral, map_parts, replaced, var};
+use super::matching::with_quantities;
 use super::range::on_open;
 use super::weight::continuous;
 use crate::formula::{Draw, Formula, Law, Operator, substitute};
@@ -12,32 +12,14 @@ use crate::kernel::proof::{Fact, Rule, Step};
 
 use Operator::{Add, Multiply, Power, Subtract};
 
-/// The formula with variances as what means make of them.
-pub(super) fn in_moments(b: &mut Builder, e: &Formula) -> Option<Value> {
-    let mut steps = Vec::new();
-    let found = map_quantities(e, &mut |q| match b.attempt(|b| by_moments(b, q)) {
-        Some((found, step)) => {
-            steps.push(step);
-            found
-        }
-        None => q.clone(),
-    });
-    let step = b.congruent(e, &found, &steps)?;
-    Some((found, step))
-}
-
 /// The formula with constants taken out of its means and variances.
 pub(super) fn linear(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
-    let mut steps = Vec::new();
-    let found = map_quantities(e, &mut |q| match b.attempt(|b| quantity(b, cx, q)) {
-        Some((found, step)) => {
-            steps.push(step);
-            found
-        }
-        None => q.clone(),
-    });
-    let step = b.congruent(e, &found, &steps)?;
-    Some((found, step))
+    with_quantities(b, e, &mut |b, q| quantity(b, cx, q))
+}
+
+/// The formula with variances as what means make of them.
+pub(super) fn in_moments(b: &mut Builder, e: &Formula) -> Option<Value> {
+    with_quantities(b, e, &mut by_moments)
 }
 
 fn quantity(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Value> {
@@ -115,65 +97,82 @@ fn mean(b: &mut Builder, cx: &mut Context, e: &Formula, draw: &Draw) -> Option<V
     let own = Some(Box::new(draw.clone()));
     let of = |e: &Formula| Formula::Mean(Box::new(e.clone()), own.clone());
     let whole = of(e);
-    let found = match e {
-        _ if !depends(e, &draw.name) => value(b, cx, &whole)?,
-        Formula::Binary(Power, base, n) if **n == int(2) && parted(base, draw).is_some() => {
-            let next = parted(base, draw)?;
-            let (from, to) = support(&draw.law)?;
-            let step = on_open(b, &draw.name, (&from, &to), |b, x| {
-                let at = |e: &Formula| substitute(e, &[(draw.name.clone(), var(x))]).ok();
-                b.equal(&at(e)?, &at(&next)?)
-            })?;
-            let first = b.congruent(&whole, &of(&next), &[step])?;
-            let (found, second) = mean(b, cx, &next, draw)?;
-            (found.clone(), b.chain(&[first, second], &whole, &found)?)
-        }
-        Formula::Binary(operator @ (Add | Subtract), g, h) => {
-            let (u, first) = mean(b, cx, g, draw)?;
-            let (v, second) = mean(b, cx, h, draw)?;
-            let apart = Formula::binary(*operator, of(g), of(h));
-            let found = Formula::binary(*operator, u, v);
-            let split = b.step(
-                Fact::Same(whole.clone(), apart.clone()),
-                Rule::Split,
-                &[],
-                &[],
-            )?;
-            let step = b.congruent(&apart, &found, &[first, second])?;
-            (found.clone(), b.chain(&[split, step], &whole, &found)?)
+    let (apart, parts, rule) = match e {
+        _ if !depends(e, &draw.name) => return known(b, &whole, |b| value(b, cx, &whole)),
+        Formula::Binary(Add | Subtract, g, h) => {
+            (map_parts(e, &mut |part| of(part)), vec![g, h], Rule::Split)
         }
         Formula::Binary(Multiply, c, g) if !depends(c, &draw.name) => {
             b.finite(c)?;
-            let (u, step) = mean(b, cx, g, draw)?;
             let apart = Formula::binary(Multiply, (**c).clone(), of(g));
-            let found = Formula::binary(Multiply, (**c).clone(), u);
-            let scale = b.step(
-                Fact::Same(whole.clone(), apart.clone()),
-                Rule::Scale,
-                &[],
-                &[],
-            )?;
-            let step = b.congruent(&apart, &found, &[step])?;
-            (found.clone(), b.chain(&[scale, step], &whole, &found)?)
+            (apart, vec![g], Rule::Scale)
         }
-        _ => (whole.clone(), b.chain(&[], &whole, &whole)?),
+        _ => match parted(e, draw) {
+            Some(next) => return known(b, &whole, |b| opened(b, cx, e, &next, draw)),
+            None => {
+                finite(b, cx, &whole)?;
+                let step = b.chain(&[], &whole, &whole)?;
+                return Some((whole, step));
+            }
+        },
     };
-    match found.0 == whole {
-        true => finite(b, cx, &whole)?,
-        false => {
-            b.finite(&found.0)?;
-            b.step(Fact::Finite(whole), Rule::Finite, &[found.1], &[])?
+    known(b, &whole, |b| {
+        let mut found = apart.clone();
+        let mut steps = Vec::new();
+        for part in parts {
+            let (value, step) = mean(b, cx, part, draw)?;
+            found = replaced(&found, &of(part), &value);
+            steps.push(step);
         }
-    };
-    Some(found)
+        let first = b.step(Fact::Same(whole.clone(), apart.clone()), rule, &[], &[])?;
+        let second = b.congruent(&apart, &found, &steps)?;
+        let step = b.chain(&[first, second], &whole, &found)?;
+        Some((found, step))
+    })
 }
 
-/// The square of a difference to a constant, in parts.
-fn parted(base: &Formula, draw: &Draw) -> Option<Formula> {
-    let Formula::Binary(operator @ (Add | Subtract), g, c) = base else {
+/// The value that is found for a mean, which makes it known to be finite.
+fn known(
+    b: &mut Builder,
+    mean: &Formula,
+    find: impl FnOnce(&mut Builder) -> Option<Value>,
+) -> Option<Value> {
+    let (found, step) = find(b)?;
+    b.finite(&found)?;
+    b.step(Fact::Finite(mean.clone()), Rule::Finite, &[step], &[])?;
+    Some((found, step))
+}
+
+/// The mean of what has the same value between the ends of the law.
+fn opened(
+    b: &mut Builder,
+    cx: &mut Context,
+    e: &Formula,
+    next: &Formula,
+    draw: &Draw,
+) -> Option<Value> {
+    let of = |e: &Formula| Formula::Mean(Box::new(e.clone()), Some(Box::new(draw.clone())));
+    let (from, to) = support(&draw.law)?;
+    let step = on_open(b, &draw.name, (&from, &to), |b, x| {
+        let at = |e: &Formula| substitute(e, &[(draw.name.clone(), var(x))]).ok();
+        b.equal(&at(e)?, &at(next)?)
+    })?;
+    let (whole, moved) = (of(e), of(next));
+    let first = b.congruent(&whole, &moved, &[step])?;
+    let (found, second) = mean(b, cx, next, draw)?;
+    let step = b.chain(&[first, second], &whole, &found)?;
+    Some((found, step))
+}
+
+/// The square of a sum or a difference with a constant, in parts.
+fn parted(e: &Formula, draw: &Draw) -> Option<Formula> {
+    let Formula::Binary(Power, base, n) = e else {
         return None;
     };
-    (!depends(c, &draw.name)).then_some(())?;
+    let Formula::Binary(operator @ (Add | Subtract), g, c) = &**base else {
+        return None;
+    };
+    (**n == int(2) && !depends(c, &draw.name)).then_some(())?;
     let square = |e: &Formula| Formula::binary(Power, e.clone(), int(2));
     let twice = Formula::binary(Multiply, int(2), (**c).clone());
     let twice = Formula::binary(Multiply, twice, (**g).clone());

@@ -79,13 +79,11 @@ fn link(
 /// `x == y`, where needed by cases at the border of the domain.
 fn equation(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     let fact = Fact::Same(x.clone(), y.clone());
-    let mut shown = vec![x.clone(), y.clone()];
-    for side in [x, y] {
-        let found = evaluate(b, cx, side).map(|(found, _)| found);
-        let plain = found.as_ref().and_then(|found| b.without_towers(found));
-        shown.extend(found);
-        shown.extend(plain.map(|(plain, _)| plain));
-    }
+    // What is found on the way is the case's own business.
+    let shown = [x, y].map(|side| match plain(&mut b.clone(), cx, side) {
+        Some((found, _)) => found,
+        None => side.clone(),
+    });
     b.by_cases(&fact, &shown, SPLITS, &mut |b| {
         let outside = std::mem::take(&mut cx.known);
         cx.known = known(b);
@@ -134,11 +132,9 @@ fn squeezed(
 pub(super) fn direct(b: &mut Builder, cx: &mut Context, x: &Formula, y: &Formula) -> Option<Step> {
     type Way = fn(&mut Builder, &mut Context, &Formula, &Formula) -> Option<Step>;
     let recurrence: Way = |b, _, x, y| b.recurrence(x, y);
-    let floor: Way = |b, _, x, y| b.floor(x, y);
-    let ways: [Way; 10] = [
+    let ways: [Way; 9] = [
         same,
         recurrence,
-        floor,
         by_linearity,
         by_definition,
         by_value,

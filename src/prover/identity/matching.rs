@@ -212,3 +212,21 @@ pub(super) fn map_quantities(e: &Formula, map: &mut dyn FnMut(&Formula) -> Formu
         false => map_parts(e, &mut |part| map_quantities(part, map)),
     }
 }
+
+/// The formula with each of its quantities replaced by what is found for it, as far as that is.
+pub(super) fn with_quantities(
+    b: &mut Builder,
+    e: &Formula,
+    find: &mut dyn FnMut(&mut Builder, &Formula) -> Option<Value>,
+) -> Option<Value> {
+    let mut steps = Vec::new();
+    let found = map_quantities(e, &mut |q| match b.attempt(|b| find(b, q)) {
+        Some((found, step)) => {
+            steps.push(step);
+            found
+        }
+        None => q.clone(),
+    });
+    let step = b.congruent(e, &found, &steps)?;
+    Some((found, step))
+}

@@ -2,23 +2,14 @@
 
 use super::Builder;
 use super::evaluate::{Context, Value, evaluate};
-use super::matching::map_quantities;
+use super::matching::{map_quantities, with_quantities};
 use super::{law, support};
 use crate::formula::{Formula, RangeKind};
 use crate::kernel::proof::{Fact, Rule, Step};
 
 /// The formula with its means, variances and densities unfolded.
 pub(super) fn unfolded(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
-    let mut steps = Vec::new();
-    let found = map_quantities(e, &mut |q| match b.attempt(|b| quantity(b, cx, q)) {
-        Some((found, step)) => {
-            steps.push(step);
-            found
-        }
-        None => q.clone(),
-    });
-    let step = b.congruent(e, &found, &steps)?;
-    Some((found, step))
+    with_quantities(b, e, &mut |b, q| quantity(b, cx, q))
 }
 
 fn quantity(b: &mut Builder, cx: &mut Context, q: &Formula) -> Option<Value> {
@@ -53,19 +44,11 @@ pub(super) fn undefined(
 /// A formula of the same value that is seen to have none.
 fn without(b: &mut Builder, cx: &mut Context, e: &Formula) -> Option<Value> {
     let found = b.attempt(|b| {
-        let mut steps: Vec<Step> = Vec::new();
-        let own = map_quantities(e, &mut |q| match law::own_draw(b, q) {
-            Some((next, step)) => {
-                steps.push(step);
-                next
-            }
-            None => q.clone(),
-        });
+        let (own, step) = with_quantities(b, e, &mut law::own_draw)?;
         map_quantities(&own, &mut |q| {
             b.attempt(|b| law::without_variance(b, cx, q));
             q.clone()
         });
-        let step = b.congruent(e, &own, &steps)?;
         b.undefined(&own)?;
         Some((own, step))
     });

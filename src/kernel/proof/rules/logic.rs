@@ -229,17 +229,6 @@ impl Check<'_, '_> {
         self.concludes(&substitute(e, places)?)
     }
 
-    pub(super) fn floor(&self) -> Checked {
-        let (left, n) = self.equation()?;
-        let Formula::Call(Function::Floor, parts) = left else {
-            return reject("the rule is for floor");
-        };
-        self.is_integer(n)?;
-        self.is_nonnegative(&above(n, &parts[0]))?;
-        let next = Formula::binary(Operator::Add, n.clone(), Formula::integer(1));
-        self.is_positive(&minus(&next, &parts[0]))
-    }
-
     pub(super) fn is_one(&self, e: &Formula) -> Result<bool, super::Rejected> {
         Ok(self.proof.finite(e)?
             && self

@@ -57,7 +57,6 @@ impl Proof<'_> {
             Rule::Decide => check.decide(),
             Rule::Cases => check.cases(),
             Rule::At => check.at(),
-            Rule::Floor => check.floor(),
             Rule::Primitive => check.primitive(),
             Rule::Derivative => check.derivative(),
             Rule::Substitution => check.substitution(),

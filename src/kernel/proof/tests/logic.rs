@@ -487,29 +487,6 @@ fn at_a_place() {
 }
 
 #[test]
-fn floors() {
-    for good in [
-        "floor(k + 1/2) == k",
-        "floor(k - 1) == k - 1",
-        "floor(k) == k",
-    ] {
-        yes(&format!("9: {good} | floor"));
-    }
-    for (bad, reason) in [
-        ("floor(k + 1) == k", "positive"),
-        ("floor(k - 1/2) == k", "nonnegative"),
-        ("floor(x) == x", "an integer"),
-        ("floor(k) == k + 0/y", "finite"),
-        ("floor(k + 0/y) == k", "finite"),
-        ("abs(k) == k", "for floor"),
-        ("x == x", "for floor"),
-        ("floor(k) <= k", "concludes an equation"),
-    ] {
-        no(&format!("9: {bad} | floor"), reason);
-    }
-}
-
-#[test]
 fn equals_for_equals() {
     let facts = "{ | 5: x == f(y) | 6: y == f(k)\n";
     yes(&format!(
