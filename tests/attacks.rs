@@ -8,7 +8,8 @@
 //! premises for its last step. None may be accepted. No attack is counted twice.
 //!
 //! `CLAIMCHECK_ATTACKS=MUTANTS,ATTACKS` sets how many mutants a theorem and attacks a mutant; without
-//! it there are a few of each. A theorem with fewer mutants fails the test.
+//! it there are a few of each. A theorem with fewer mutants fails the test, unless the kernel finds
+//! no values for it.
 
 #[path = "support/dice.rs"]
 mod dice;
@@ -22,7 +23,7 @@ use claimcheck::formula::{
     parse_formula,
 };
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Rule, Script, parse};
-use claimcheck::kernel::{Witness, check_witness};
+use claimcheck::kernel::{Witness, check_example, check_witness};
 use dice::Dice;
 use distort::{distortions, other_relations, weaker};
 use mutate::{children, misprints, with_child};
@@ -51,7 +52,7 @@ fn no_false_statement_is_proved() {
             let false_ones = false_mutants(script, mutants, &mut dice);
             let found = false_ones.len();
             assert!(
-                found >= mutants,
+                found >= mutants || !has_values(script),
                 "{file}: only {found} of {mutants} false mutants of\n{}",
                 script.proposition
             );
@@ -91,6 +92,16 @@ fn no_false_statement_is_proved() {
         scripts.len(),
         files.len()
     );
+}
+
+/// Whether the kernel finds values at the example: without them it can refute no mutant.
+fn has_values(script: &Script) -> bool {
+    let links: Vec<_> = script
+        .links
+        .iter()
+        .map(|(link, _)| (*link, false))
+        .collect();
+    check_example(&script.proposition, &script.example, &links).is_ok()
 }
 
 /// The theorems of a folder, each with the name of its file.
@@ -193,6 +204,11 @@ fn refuted(
     points: usize,
     dice: &mut Dice,
 ) -> Option<Mutant> {
+    // Without parameters there is one point.
+    let points = match proposition.parameters.is_empty() {
+        true => 1,
+        false => points,
+    };
     for attempt in 0..points {
         let point = match attempt {
             0 => script.example.clone(),

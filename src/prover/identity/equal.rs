@@ -87,10 +87,11 @@ impl Builder<'_> {
         given: &[Step],
     ) -> Option<Step> {
         let steps = self.equations();
-        let named = |step: &Step| match self.fact(*step) {
-            Fact::Same(Formula::Name(_), _) => true,
-            Fact::Same(Formula::Call(..), Formula::Number(_)) => true,
-            _ => false,
+        let named = |step: &Step| {
+            matches!(
+                self.fact(*step),
+                Fact::Same(Formula::Name(_), _) | Fact::Same(Formula::Call(..), Formula::Number(_))
+            )
         };
         let steps: Vec<Step> = steps.into_iter().filter(named).collect();
         steps
