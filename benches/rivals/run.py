@@ -17,6 +17,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.set_int_max_str_digits(0)
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
 SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
 
@@ -147,6 +148,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="one round, up to 1000 digits, no sweep at 1000")
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--sweeps", action="store_true", help="sweeps only")
     parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
     options = parser.parse_args()
     rounds = 1 if options.quick else options.rounds
@@ -157,7 +159,7 @@ def main():
             tools["C FLINT"] = [str(flint)]
         slow = python_rival()
         table, costs = {}, {}
-        targets = (15, 50, 100, 1000) if options.quick else (15, 50, 100, 1000, 10000)
+        targets = () if options.sweeps else (15, 50, 100, 1000) if options.quick else (15, 50, 100, 1000, 10000)
         for _ in range(rounds):
             for digits in targets:
                 for name, program in tools.items():

@@ -52,7 +52,7 @@ pub(super) fn interval_step(bits: u32) -> f64 {
 /// Instructions, about, for a series of so many terms of so many bits each by binary splitting, without
 /// what comes before and after.
 pub(super) fn splitting(terms: f64, term_bits: f64, bits: f64) -> f64 {
-    90.0 * terms + terms * term_bits / 64.0 * (2580.0 + 72.0 * (bits / 64.0).powf(0.6))
+    90.0 * terms + terms * term_bits / 64.0 * (1700.0 + 72.0 * (bits / 64.0).powf(0.6))
 }
 
 impl Sketch {

@@ -24,7 +24,8 @@ use super::ShellError;
 use super::quantity::{Numbers, Quantity};
 use super::sketch::{self, Sketch};
 use crate::model::Shell;
-use crate::number::Interval;
+use crate::number::{Interval, fixed};
+use rug::integer::Order;
 use rug::{Integer, Rational};
 
 /// The most terms.
@@ -33,9 +34,12 @@ const MOST_TERMS: u32 = 1 << 20;
 /// Bits for the rounding errors of the chunks and of what follows.
 const GUARD: u32 = 24;
 
-/// The denominator of a run within a `u128` has at most so many bits. So the run has at most 60 terms, each
-/// below 1, and a < 64 c too.
-const WIDE: u32 = 120;
+/// The denominator of a run of words has at most so many bits. So the run has at most 58 terms, each
+/// below 1, and a < 64 c is a word too.
+const WORD: u32 = 58;
+
+/// So many runs of words are put together in words, before whole numbers take over.
+const LEAF: usize = 16;
 
 pub(super) fn enclose(
     quantity: Quantity,
@@ -77,11 +81,12 @@ impl Series<'_> {
     pub(super) fn sum(&self, bits: u32) -> Result<Interval, ShellError> {
         let n = self.terms(bits)?;
         let term_bits = self.below(n).significant_bits();
-        let per_leaf = (WIDE / term_bits).max(1);
+        // Terms of a run of words, or none.
+        let per_word = WORD / term_bits;
         let per_chunk = (chunk_bits(bits) / term_bits).max(1);
         let chunks: Vec<Run> = (0..n)
             .step_by(per_chunk as usize)
-            .map(|i| self.run(i, n.min(i + per_chunk), per_leaf))
+            .map(|i| self.run(i, n.min(i + per_chunk), per_word))
             .collect();
         let mut precisions = vec![bits];
         for chunk in &chunks {
@@ -148,14 +153,14 @@ impl Series<'_> {
         (Integer::from(j) * self.step + self.s) * self.w.denom()
     }
 
-    /// The terms i..j, i < j, as one run; `per_leaf` of them fit a `u128`.
-    fn run(&self, i: u32, j: u32, per_leaf: u32) -> Run {
-        if j - i <= per_leaf {
-            return self.leaf(i, j);
+    /// The terms i..j, i < j, as one run.
+    fn run(&self, i: u32, j: u32, per_word: u32) -> Run {
+        if j - i <= (per_word * LEAF as u32).max(1) {
+            return self.leaf(i, j, per_word);
         }
         let middle = i + (j - i).div_ceil(2);
-        let left = self.run(i, middle, per_leaf);
-        let right = self.run(middle, j, per_leaf);
+        let left = self.run(i, middle, per_word);
+        let right = self.run(middle, j, per_word);
         Run {
             a: left.a * &right.c + right.a * &left.b,
             b: left.b * right.b,
@@ -163,53 +168,78 @@ impl Series<'_> {
         }
     }
 
-    fn leaf(&self, i: u32, j: u32) -> Run {
-        match self.words(i) {
-            Some(start) => start.run(j - i),
-            None => Run {
-                a: self.above(i),
-                b: self.above(i),
-                c: self.below(i),
+    fn leaf(&self, i: u32, j: u32, per_word: u32) -> Run {
+        let (above, below) = (self.above(i), self.below(i));
+        match (above.to_u64(), below.to_u64()) {
+            (Some(n), Some(d)) if per_word > 0 => self.words(n, d, j - i, per_word),
+            _ => Run {
+                a: above.clone(),
+                b: above,
+                c: below,
             },
         }
     }
 
-    /// n_i and d_i and their steps, where all are words.
-    fn words(&self, i: u32) -> Option<Words> {
-        let (p, e) = (self.w.numer().to_u64()?, self.w.denom().to_u64()?);
-        let (q, s) = (self.q.to_u64()?, self.s.to_u64()?);
-        let shift = u64::from(i) * u64::from(self.step);
-        let product = |a: u64, b: u64| u128::from(a) * u128::from(b);
-        Some(Words {
-            above: product(p, q.checked_add(shift)?),
-            below: product(e, s.checked_add(shift)?),
-            above_step: product(p, self.step.into()),
-            below_step: product(e, self.step.into()),
-        })
+    /// So many terms from n/d on, where n and d stay words.
+    fn words(&self, mut n: u64, mut d: u64, mut left: u32, per_word: u32) -> Run {
+        // p < d and so both are words.
+        let step = |value: &Integer| value.to_u64_wrapping() * u64::from(self.step);
+        let (n_step, d_step) = (step(self.w.numer()), step(self.w.denom()));
+        let mut leaf = Leaf::new();
+        while left > 0 {
+            let (mut a, mut b, mut c) = (0, 1, 1);
+            for _ in 0..per_word.min(left) {
+                b *= n;
+                (a, c) = (a * d + b, c * d);
+                (n, d) = (n + n_step, d + d_step);
+            }
+            left -= per_word.min(left);
+            leaf.append(a, b, c);
+        }
+        leaf.run()
     }
 }
 
-struct Words {
-    above: u128,
-    below: u128,
-    above_step: u128,
-    below_step: u128,
+/// A run in fixed words, least first: at most [`LEAF`] runs of words. With every one b and c grow by a word, and a, the
+/// sum of fewer than 2^10 terms of c each, needs one more.
+struct Leaf {
+    a: [u64; LEAF + 2],
+    b: [u64; LEAF + 2],
+    c: [u64; LEAF + 2],
+    length: usize,
 }
 
-impl Words {
-    /// So many terms, as fit.
-    fn run(&self, terms: u32) -> Run {
-        let (mut n, mut d) = (self.above, self.below);
-        let (mut a, mut b, mut c) = (n, n, d);
-        for _ in 1..terms {
-            (n, d) = (n + self.above_step, d + self.below_step);
-            b *= n;
-            (a, c) = (a * d + b, c * d);
+impl Leaf {
+    fn new() -> Leaf {
+        let mut one = [0; LEAF + 2];
+        one[0] = 1;
+        Leaf {
+            a: [0; LEAF + 2],
+            b: one,
+            c: one,
+            length: 1,
         }
+    }
+
+    /// Takes in `x_j = (a + b x)/c`.
+    fn append(&mut self, a: u64, b: u64, c: u64) {
+        self.length += 1;
+        let n = self.length;
+        // a + b x now: (A + B (a + b x)/c)/C = (A c + B a + B b x)/(C c)
+        let mut more = self.b;
+        fixed::mul_word(&mut more[..n], a);
+        fixed::mul_word(&mut self.a[..n], c);
+        fixed::add(&mut self.a[..n], &more[..n]);
+        fixed::mul_word(&mut self.b[..n], b);
+        fixed::mul_word(&mut self.c[..n], c);
+    }
+
+    fn run(&self) -> Run {
+        let integer = |words: &[u64]| Integer::from_digits(&words[..self.length], Order::Lsf);
         Run {
-            a: a.into(),
-            b: b.into(),
-            c: c.into(),
+            a: integer(&self.a),
+            b: integer(&self.b),
+            c: integer(&self.c),
         }
     }
 }
