@@ -4,7 +4,7 @@ use super::super::known::{above, minus};
 use super::super::normal::Equations;
 use super::super::{Fact, reject, require};
 use super::{Check, Checked, need};
-use crate::formula::{Formula, Function, Operator, Point, free_functions, free_names, substitute};
+use crate::formula::{Formula, Operator, Point, free_functions, free_names, substitute};
 use crate::kernel::{Value, value};
 use num_traits::One;
 
