@@ -110,7 +110,6 @@ fn evaluate(
     buffer: &mut [u64],
 ) -> Result<Interval, ShellError> {
     let (x, work) = buffer.split_at_mut(buffer.len() / 5);
-    let precision = 64 * x.len() as u32;
     let ulps = series::sum(scene, bits, x, work)?;
     let mut sum = Enclosed {
         integer: 0,
@@ -129,21 +128,25 @@ fn evaluate(
         Quantity::Mean => sum.times(scene.k)?,
         Quantity::Excess => {
             let mut mean = sum.times(scene.k)?;
-            mean.integer = mean.integer.checked_sub(1).ok_or(ShellError::Lost)?;
+            if mean.integer == 0 {
+                return below_one(mean, needed);
+            }
+            mean.integer -= 1;
             mean
         }
         Quantity::Variance => variance(scene, sum, work)?,
     };
-    if result.accuracy() < needed {
+    result.certified(needed)
+}
+
+/// `mean - 1` for a mean below 1: `-(1 - x)` with `1 - x` an ulp more than the complement.
+fn below_one(mut mean: Enclosed, needed: u32) -> Result<Interval, ShellError> {
+    fixed::complement(mean.x);
+    if fixed::sub_ulps(mean.x, mean.ulps) {
         return Err(ShellError::Lost);
     }
-    Ok(fixed::enclose(
-        result.integer,
-        result.x,
-        result.ulps,
-        0,
-        precision,
-    ))
+    mean.ulps = mean.ulps.checked_add(1).ok_or(ShellError::Lost)?;
+    Ok(mean.certified(needed)?.neg())
 }
 
 impl Enclosed<'_> {
@@ -158,6 +161,21 @@ impl Enclosed<'_> {
         // value >= 2^(value-1) ulps, and an end moves by less than 2^above.
         let width = u128::from(self.ulps) + (2 << above);
         value.saturating_sub(129 - width.leading_zeros())
+    }
+
+    /// The interval, if it is as narrow as needed.
+    fn certified(&self, needed: u32) -> Result<Interval, ShellError> {
+        if self.accuracy() < needed {
+            return Err(ShellError::Lost);
+        }
+        let precision = 64 * self.x.len() as u32;
+        Ok(fixed::enclose(
+            self.integer,
+            self.x,
+            self.ulps,
+            0,
+            precision,
+        ))
     }
 
     /// Times 2^bits, bits < 64.
