@@ -90,10 +90,12 @@ pub(super) fn certified(
 
 /// The bits of a word that the error of y may fill, so that the error of the quantity fits one too.
 fn room(quantity: Quantity, scene: &Scene) -> Result<u32, ShellError> {
+    let photon = 64 - (scene.k.above / scene.k.below).leading_zeros();
     let counts = match quantity {
+        Quantity::Function => scene.shift,
+        Quantity::Mean | Quantity::Excess => scene.shift + photon,
         // x = y 2^g, and an error of x counts (d s)/(d-p) <= s (2^g + 1) times, and a few times more.
-        Quantity::Variance => 64 - scene.s.leading_zeros() + 2 * scene.shift,
-        _ => scene.shift,
+        Quantity::Variance => 64 - scene.s.leading_zeros() + 2 * scene.shift + 2 * photon,
     };
     58u32
         .checked_sub(counts)
@@ -110,7 +112,6 @@ fn evaluate(
     buffer: &mut [u64],
 ) -> Result<Interval, ShellError> {
     let (x, work) = buffer.split_at_mut(buffer.len() / 5);
-    let precision = 64 * x.len() as u32;
     let ulps = series::sum(scene, bits, x, work)?;
     let mut sum = Enclosed {
         integer: 0,
@@ -129,21 +130,25 @@ fn evaluate(
         Quantity::Mean => sum.times(scene.k)?,
         Quantity::Excess => {
             let mut mean = sum.times(scene.k)?;
-            mean.integer = mean.integer.checked_sub(1).ok_or(ShellError::Lost)?;
+            if mean.integer == 0 {
+                return below_one(mean, needed);
+            }
+            mean.integer -= 1;
             mean
         }
         Quantity::Variance => variance(scene, sum, work)?,
     };
-    if result.accuracy() < needed {
+    result.certified(needed)
+}
+
+/// `mean - 1` for a mean below 1: `-(1 - x)` with `1 - x` an ulp more than the complement.
+fn below_one(mut mean: Enclosed, needed: u32) -> Result<Interval, ShellError> {
+    fixed::complement(mean.x);
+    if fixed::sub_ulps(mean.x, mean.ulps) {
         return Err(ShellError::Lost);
     }
-    Ok(fixed::enclose(
-        result.integer,
-        result.x,
-        result.ulps,
-        0,
-        precision,
-    ))
+    mean.ulps = mean.ulps.checked_add(1).ok_or(ShellError::Lost)?;
+    Ok(mean.certified(needed)?.neg())
 }
 
 impl Enclosed<'_> {
@@ -158,6 +163,21 @@ impl Enclosed<'_> {
         // value >= 2^(value-1) ulps, and an end moves by less than 2^above.
         let width = u128::from(self.ulps) + (2 << above);
         value.saturating_sub(129 - width.leading_zeros())
+    }
+
+    /// The interval, if it is as narrow as needed.
+    fn certified(&self, needed: u32) -> Result<Interval, ShellError> {
+        if self.accuracy() < needed {
+            return Err(ShellError::Lost);
+        }
+        let precision = 64 * self.x.len() as u32;
+        Ok(fixed::enclose(
+            self.integer,
+            self.x,
+            self.ulps,
+            0,
+            precision,
+        ))
     }
 
     /// Times 2^bits, bits < 64.
@@ -244,10 +264,13 @@ fn squared(sum: &Enclosed, square: &mut [u64], work: &mut [u64]) -> Option<u64> 
         .checked_add(more)
 }
 
-/// Whether no other method can be cheaper: a shell whose volumes are in the domain, and so few bits that
-/// products of whole numbers gain nothing.
+/// Less than the cost of every other method in its cheapest case.
+const OTHERS: f64 = 35_000.0;
+
+/// Whether no other method can be cheaper: without a look at them for the usual shells and up to a thousand
+/// digits, where products of whole numbers gain nothing.
 pub(super) fn is_cheapest(sketch: &Sketch, bits: u32) -> bool {
-    bits <= 3400 && sketch.w <= 0.7
+    (bits <= 3400 && sketch.w <= 0.5) || cost(sketch, bits) < OTHERS
 }
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
