@@ -13,7 +13,7 @@ trap 'rm -rf "$folder"' EXIT
 # In parts: every call leaves a file.
 for ((done = 0; done < scenes; done += 100)); do
     part=$((scenes - done < 100 ? scenes - done : 100))
-    valgrind --tool=callgrind --toggle-collect='*measured*' --dump-after='*measured*' \
+    valgrind --tool=callgrind --toggle-collect='*measured*' --dump-after=choice::measured \
         --callgrind-out-file="$folder/out" "$program" "$part" "$((seed + done))" "$digits" \
         >"$folder/calls" 2>"$folder/log"
     i=0

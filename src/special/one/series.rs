@@ -48,7 +48,7 @@ fn odd(k: &Integer) -> Option<u64> {
 pub(super) fn cost(k: &Integer, bits: u32) -> Option<f64> {
     let words = f64::from((bits + LOST).div_ceil(64));
     let terms = words * 32.0 / (odd(k)? as f64).log2() + 1.0;
-    (words <= f64::from(MOST_WORDS)).then(|| 400.0 + terms * (40.0 + 20.0 * words))
+    (words <= f64::from(MOST_WORDS)).then_some(400.0 + terms * (40.0 + 20.0 * words))
 }
 
 pub(super) fn values(k: &Integer, bits: u32) -> Option<Values> {

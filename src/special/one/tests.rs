@@ -16,7 +16,7 @@ fn all_agree(k: &Integer, bits: u32) {
                 found.contains(truth),
                 "{form:?} of {k}, {bits} bits: {found:?}"
             );
-            let digits = (f64::from(bits) * 0.30103 - 1.3).max(0.0) as u32;
+            let digits = (f64::from(bits) * std::f64::consts::LOG10_2 - 1.3).max(0.0) as u32;
             assert!(
                 found.agrees_to(digits),
                 "{form:?} of {k}, {bits} bits: {found:?}"

@@ -24,6 +24,9 @@ const GUARD: u32 = 24;
 /// The most photons, as `model::moments` has it.
 const MOST_PHOTONS: f64 = 4096.0;
 
+/// The largest u for which the series of artanh is summed.
+const SHORT: f64 = 0.5;
+
 pub(super) fn enclose(
     quantity: Quantity,
     shell: &Shell,
@@ -57,10 +60,14 @@ fn mean(value: &LogLinear, shell: &Shell, bits: u32) -> Result<Interval, ShellEr
     Ok(sum.with_precision(bits))
 }
 
-/// ln(1 + V/Va)
+/// ln(1 + V/Va): by its series where that is short, else by MPFR's logarithm of both ends.
 fn logarithm(shell: &Shell, precision: u32) -> Result<Interval, ShellError> {
     let both = Rational::from(&shell.inner * 2u32) + &shell.volume;
     let u = &shell.volume / both;
+    if u > SHORT {
+        let ratio = Rational::from(&shell.volume / &shell.inner) + 1u32;
+        return Ok(Interval::from_rational(&ratio, precision + GUARD).ln()?);
+    }
     let series = Series {
         w: &u.clone().square(),
         q: &Integer::from(1),
@@ -110,9 +117,17 @@ pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     // About the bits of a, and as many are cancelled.
     let lost = m * (2.0 * m / sketch.w.recip().min(m)).log2().max(1.0);
     let bits = f64::from(bits + GUARD) + lost;
-    let terms = bits / (-2.0 * u.log2());
     let words = lost / 64.0;
     let steps = (m + sketch.l) * (5900.0 + 330.0 * words + 9.0 * words * words);
+    55_000.0 + steps + logarithm_cost(u, bits)
+}
+
+fn logarithm_cost(u: f64, bits: f64) -> f64 {
+    if u > SHORT {
+        // MPFR's, by the arithmetic-geometric mean: about 2 log2 bits products.
+        return 40_000.0 + 30.0 * bits.log2() * (bits / 64.0).powf(1.6);
+    }
+    let terms = bits / (-2.0 * u.log2());
     let term_bits = (2.0 * terms + 3.0).log2() - 2.0 * u.log2();
-    55_000.0 + steps + sketch::splitting(terms, term_bits, bits)
+    sketch::splitting(terms, term_bits, bits)
 }

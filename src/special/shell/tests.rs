@@ -320,3 +320,24 @@ fn thousands_of_digits_agree() {
         }
     }
 }
+
+#[test]
+fn shells_much_larger_than_what_they_surround_are_answered_in_time() {
+    for (l, m, inner, volume) in [
+        (1u64, 1u64, (1, 7), (1555, 7)),
+        (13, 52, (1, 5), (9781, 1)),
+        (109, 152, (6, 5), (26, 5)),
+    ] {
+        let shell = shell(l, m, Rational::from(inner), Rational::from(volume));
+        for quantity in Quantity::ALL {
+            for wanted in [15, 50, 300] {
+                let value = enclose(quantity, &shell, wanted).expect("it has one");
+                assert!(value.agrees_to(wanted), "{quantity:?} {shell:?}");
+                assert!(
+                    value.overlaps(&reference(quantity, &shell, 1500)),
+                    "{quantity:?} {shell:?}"
+                );
+            }
+        }
+    }
+}

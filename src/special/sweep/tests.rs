@@ -116,7 +116,7 @@ fn a_whole_shell_adds_up() {
             second = second.add(&square.div_integer(&k.square()).expect("k > 0"));
         }
         let m = Integer::from(m);
-        let inner: Integer = Integer::from(&m * Integer::from(&m - 1u32)) / 2u32;
+        let inner: Integer = (&m * Integer::from(&m - 1u32)) / 2u32;
         let ratio = Rational::from((Integer::from(&m + 1u32), Integer::from(&m - 1u32)));
         let logarithm = Interval::from_rational(&ratio, 5000)
             .ln()
@@ -244,10 +244,8 @@ fn ranges_begin_and_end_anywhere() {
         blocks.iter().map(|block| block.count).sum::<usize>(),
         10_001
     );
-    let mut k = first;
-    for photon in blocks.iter().flat_map(Block::photons) {
-        assert_eq!(photon.number(), k);
-        k += 1u32;
+    for (index, photon) in blocks.iter().flat_map(Block::photons).enumerate() {
+        assert_eq!(photon.number(), Integer::from(&first + index as u64));
     }
     assert!(
         sweep(&Layout::Triangular, &5.into(), &4.into(), 15)

@@ -90,10 +90,12 @@ pub(super) fn certified(
 
 /// The bits of a word that the error of y may fill, so that the error of the quantity fits one too.
 fn room(quantity: Quantity, scene: &Scene) -> Result<u32, ShellError> {
+    let photon = 64 - (scene.k.above / scene.k.below).leading_zeros();
     let counts = match quantity {
+        Quantity::Function => scene.shift,
+        Quantity::Mean | Quantity::Excess => scene.shift + photon,
         // x = y 2^g, and an error of x counts (d s)/(d-p) <= s (2^g + 1) times, and a few times more.
-        Quantity::Variance => 64 - scene.s.leading_zeros() + 2 * scene.shift,
-        _ => scene.shift,
+        Quantity::Variance => 64 - scene.s.leading_zeros() + 2 * scene.shift + 2 * photon,
     };
     58u32
         .checked_sub(counts)
@@ -262,10 +264,13 @@ fn squared(sum: &Enclosed, square: &mut [u64], work: &mut [u64]) -> Option<u64> 
         .checked_add(more)
 }
 
-/// Whether no other method can be cheaper: a shell whose volumes are in the domain, and so few bits that
-/// products of whole numbers gain nothing.
+/// Less than the cost of every other method in its cheapest case.
+const OTHERS: f64 = 35_000.0;
+
+/// Whether no other method can be cheaper: without a look at them for the usual shells and up to a thousand
+/// digits, where products of whole numbers gain nothing.
 pub(super) fn is_cheapest(sketch: &Sketch, bits: u32) -> bool {
-    bits <= 3400 && sketch.w <= 0.7
+    (bits <= 3400 && sketch.w <= 0.5) || cost(sketch, bits) < OTHERS
 }
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
