@@ -37,3 +37,12 @@ fn everything_that_the_thesis_numbers_has_a_claim() {
     assert_eq!(equations, 180);
     assert_eq!(missing, Vec::<&str>::new(), "without a claim");
 }
+
+#[test]
+fn what_is_like_another_claim_names_one() {
+    let book = read(&["proofs".into()]).expect("the book");
+    let ids: BTreeSet<&str> = book.claims.iter().map(|claim| &*claim.id).collect();
+    let likes = book.claims.iter().filter_map(|claim| claim.like.as_ref());
+    let lost: Vec<_> = likes.filter(|like| !ids.contains(&***like)).collect();
+    assert!(lost.is_empty(), "no such claims: {lost:?}");
+}

@@ -416,11 +416,13 @@ impl Reader<'_> {
         }
     }
 
-    /// Claims that are only named: by `after`, `like` and `agrees`.
+    /// Claims that are only named: by `after` and `agrees`, and by `like` if that is the claim itself.
     fn references(&mut self, lines: &[Arc<Line>], claim: &Claim, ids: &HashMap<Name, usize>) {
         for line in lines {
             let id = match &line.item {
-                Item::After(id) | Item::Like(id) => id,
+                Item::After(id) => id,
+                // It may stand in a chapter that is not read.
+                Item::Like(id) if *id == claim.id => id,
                 Item::Says(statement) | Item::Mend(statement) => match named(statement) {
                     Some(id) => id,
                     None => continue,
