@@ -119,7 +119,9 @@ pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     let bits = f64::from(bits + GUARD) + lost;
     let words = lost / 64.0;
     let steps = (m + sketch.l) * (5900.0 + 330.0 * words + 9.0 * words * words);
-    55_000.0 + steps + logarithm_cost(u, bits)
+    // What follows in intervals: products of whole numbers.
+    let after = 75.0 * (bits / 64.0).powf(1.7);
+    55_000.0 + steps + logarithm_cost(u, bits) + after
 }
 
 fn logarithm_cost(u: f64, bits: f64) -> f64 {

@@ -25,6 +25,8 @@ pub(super) struct Sketch {
     pub(super) w: f64,
     /// Va/A
     pub(super) inside: f64,
+    /// The denominator of V/A
+    below: f64,
     /// mu/A
     mean: f64,
     /// k/mu - 1
@@ -70,11 +72,13 @@ impl Sketch {
         let part = Rational::from(&shell.volume * &shell.position) / rug::Integer::from(m + 1u32);
         let mu = &shell.inner + part;
         let first = (Rational::from(&shell.inner + &shell.position) - &mu) / &mu;
+        let w = Rational::from(&shell.volume / &outer);
         Ok(Sketch {
             l,
             q: s - l,
             s,
-            w: share(&shell.volume),
+            below: w.denom().to_f64(),
+            w: w.to_f64(),
             inside: share(&shell.inner),
             mean: share(&mu),
             first: first.to_f64(),
@@ -95,6 +99,7 @@ impl Sketch {
             s,
             w,
             inside,
+            below: scene.w.below as f64,
             mean,
             first: scene.offset() / mean,
             k,
@@ -106,7 +111,7 @@ impl Sketch {
     pub(super) fn loss(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Function | Quantity::Mean => 0.0,
-            Quantity::Excess => (self.k / self.excess().abs()).log2().max(0.0),
+            Quantity::Excess => (self.k / self.excess()).log2().max(0.0),
             Quantity::Variance => {
                 let slope = (self.s - self.w * (self.q + 1.0)) / self.inside;
                 ((slope + 3.0 + 2.0 / self.inside) / self.spread())
@@ -116,10 +121,11 @@ impl Sketch {
         }
     }
 
-    /// E - 1, about.
+    /// The size of E - 1, about; not so near 0 that it tells nothing.
     fn excess(&self) -> f64 {
         let more = self.spread() * self.mean * self.mean;
-        (self.first + (1.0 + self.first) * more).max(f64::MIN_POSITIVE)
+        let excess = self.first + (1.0 + self.first) * more;
+        excess.abs().max(f64::EPSILON * more)
     }
 
     /// The variance of A/U, about: that of U over the fourth power of its mean.
@@ -199,6 +205,6 @@ impl Sketch {
 
     /// The bits of a term's denominator in Pfaff's series.
     pub(super) fn term_bits(&self, terms: f64) -> f64 {
-        (self.s + terms).log2() - self.w.log2()
+        ((self.s + terms) * self.below).log2()
     }
 }

@@ -341,3 +341,27 @@ fn shells_much_larger_than_what_they_surround_are_answered_in_time() {
         }
     }
 }
+
+#[test]
+fn the_choice_follows_shell_and_digits() {
+    let first = |k: u64, digits: u32| {
+        let (method, bits) = choose(Quantity::Variance, &photon(k), digits).expect("a method");
+        // The digits and what the quantity loses, no more.
+        let lost = 5.0 * (k as f64).log2() + 16.0;
+        assert!(
+            f64::from(bits) < f64::from(digits) * 3.3220 + lost,
+            "k = {k}"
+        );
+        method
+    };
+    for k in [4u64, 100, 10_000, 1_000_000_000_000] {
+        for digits in [1, 15, 50, 120, 1000] {
+            assert_eq!(first(k, digits), Method::Words, "k = {k}, {digits} digits");
+        }
+    }
+    assert_eq!(first(4, 10_000), Method::Exact);
+    assert_eq!(first(1_000_000_000_000, 10_000), Method::Splitting);
+    let centre = shell(5, 9, Rational::new(), 9.into());
+    let (method, _) = choose(Quantity::Mean, &centre, 15).expect("a method");
+    assert_eq!(method, Method::Exact);
+}

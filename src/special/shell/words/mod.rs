@@ -160,8 +160,8 @@ impl Enclosed<'_> {
             0 => words - fixed::leading_zeros(self.x),
             _ => words + above,
         };
-        // value >= 2^(value-1) ulps, and an end moves by less than 2^above.
-        let width = u128::from(self.ulps) + (2 << above);
+        // value >= 2^(value-1) ulps, and an end moves by less than 2^(above+1).
+        let width = u128::from(self.ulps) + (4 << above);
         value.saturating_sub(129 - width.leading_zeros())
     }
 
