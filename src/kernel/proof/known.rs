@@ -34,7 +34,7 @@ macro_rules! all {
 impl Proof<'_> {
     /// The facts proved in this block and those around it.
     fn sight(&self) -> impl Iterator<Item = (Step, &Proved)> {
-        let steps = self.steps.iter().enumerate();
+        let steps = self.steps.iter().map(|proved| &**proved).enumerate();
         steps.filter(|(_, proved)| self.open.starts_with(&proved.blocks))
     }
 

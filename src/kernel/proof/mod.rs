@@ -30,6 +30,7 @@ use crate::formula::{
 };
 use normal::{Atoms, Fraction};
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 /// Counted work for one proof; the longest in the book takes a small part of it.
 const FUEL: u64 = 20_000_000;
@@ -110,11 +111,12 @@ struct Proved {
 #[derive(Clone)]
 pub struct Proof<'p> {
     proposition: &'p Proposition,
-    steps: Vec<Proved>,
+    /// Shared with the copies of the proof that a search makes and drops.
+    steps: Vec<Rc<Proved>>,
     blocks: Vec<Block>,
     /// The blocks that are open, outermost first.
     open: Vec<usize>,
-    atoms: RefCell<Atoms>,
+    atoms: Rc<RefCell<Atoms>>,
     fuel: Fuel,
     rules: Vec<Rule>,
     /// The facts in sight that the step under way made use of.
@@ -161,7 +163,7 @@ impl<'p> Proof<'p> {
             steps: Vec::new(),
             blocks: Vec::new(),
             open: Vec::new(),
-            atoms: RefCell::default(),
+            atoms: Rc::default(),
             fuel: Fuel(Cell::new(FUEL)),
             rules: Vec::new(),
             seen: RefCell::default(),
@@ -307,11 +309,11 @@ impl<'p> Proof<'p> {
             _ => None,
         };
         let (step, blocks) = (self.steps.len(), self.open.clone());
-        self.steps.push(Proved {
+        self.steps.push(Rc::new(Proved {
             fact,
             blocks,
             difference,
-        });
+        }));
         Ok(step)
     }
 
