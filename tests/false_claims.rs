@@ -57,6 +57,25 @@ fn an_integral_has_no_derivative_where_its_integrand_jumps() {
     assert_eq!(verdict(smooth), Verdict::Proved);
 }
 
+#[test]
+fn an_antiderivative_frees_its_own_equation_of_a_constant_and_no_other() {
+    never_passes(&[
+        "given real x\nsays int(2*x, x) == x^2 == x^2 + 1",
+        "given real x\nsays x^2 + 1 == x^2 == int(2*x, x)",
+        "given real x, y\nsays int(x, x) == x^2/2 == y + x^2/2",
+    ]);
+    let chain = "given real x\nsays int(2*x, x) == x^2 == (x+1)^2 - 2*x - 1";
+    assert_eq!(verdict(chain), Verdict::Proved);
+}
+
+#[test]
+fn laws_that_are_not_given_are_not_one() {
+    never_passes(&[
+        "draw X, Y ~ any\nsays mean(X) == mean(Y)",
+        "draw X, Y ~ any\nsays var(X - mean(Y)) == var(Y)",
+    ]);
+}
+
 /// What the rules of calculus give at x = 0 is no derivative: there are no values on one side, or the
 /// formula has a corner or a pole.
 #[test]

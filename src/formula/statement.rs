@@ -76,21 +76,15 @@ pub enum Target {
 impl Statement {
     /// What the statement says at single points. An equation with `int(e, x)`, an antiderivative, is
     /// one up to a constant in x on every interval: it says that the derivatives are equal. One whose
-    /// antiderivatives are not added up, with factors free of x, stays as it is.
+    /// antiderivatives are not added up, with factors free of x, stays as it is, and so do the other
+    /// relations of its chain.
     pub fn pointwise(&self) -> Cow<'_, Statement> {
         match self {
             Statement::Chain {
                 first,
                 links,
                 regime: None,
-            } => match derivatives(first, links) {
-                Some((first, links)) => Cow::Owned(Statement::Chain {
-                    first,
-                    links,
-                    regime: None,
-                }),
-                None => Cow::Borrowed(self),
-            },
+            } => derived_links(first, links).map_or(Cow::Borrowed(self), Cow::Owned),
             Statement::All(parts) => {
                 let parts: Vec<_> = parts.iter().map(Statement::pointwise).collect();
                 match parts.iter().any(|part| matches!(part, Cow::Owned(_))) {
@@ -105,26 +99,38 @@ impl Statement {
     }
 }
 
-/// A chain, with its relations on the right.
-type Chain = (Formula, Vec<(Relation, Formula)>);
+/// The relations of a chain one by one, those with an antiderivative by their derivatives; none where no
+/// relation is so.
+fn derived_links(first: &Formula, links: &[(Relation, Formula)]) -> Option<Statement> {
+    let lefts = std::iter::once(first).chain(links.iter().map(|(_, right)| right));
+    let derived: Vec<_> = lefts
+        .clone()
+        .zip(links)
+        .map(|(left, (relation, right))| derivatives(left, *relation, right))
+        .collect();
+    derived.iter().flatten().next()?;
+    let chains = lefts.zip(links).zip(derived);
+    let chains = chains.map(|((left, (relation, right)), derived)| {
+        let (first, right) = derived.unwrap_or_else(|| (left.clone(), right.clone()));
+        Statement::Chain {
+            first,
+            links: vec![(*relation, right)],
+            regime: None,
+        }
+    });
+    let mut chains: Vec<_> = chains.collect();
+    match chains.len() {
+        1 => chains.pop(),
+        _ => Some(Statement::All(chains)),
+    }
+}
 
-/// The chain of the derivatives, for a chain of equations in which an antiderivative stands.
-fn derivatives(first: &Formula, links: &[(Relation, Formula)]) -> Option<Chain> {
-    let sides = || std::iter::once(first).chain(links.iter().map(|(_, right)| right));
-    let x = sides().find_map(|side| variable(Part::Formula(side)))?;
-    let equations = links
-        .iter()
-        .all(|(relation, _)| *relation == Relation::Equal);
-    let mut derived = sides()
-        .map(|side| derivative(side, &x))
-        .collect::<Option<Vec<_>>>()
-        .filter(|_| equations)?
-        .into_iter();
-    let first = derived.next()?;
-    Some((
-        first,
-        derived.map(|right| (Relation::Equal, right)).collect(),
-    ))
+/// The derivatives of both sides of an equation with an antiderivative.
+fn derivatives(left: &Formula, relation: Relation, right: &Formula) -> Option<(Formula, Formula)> {
+    let sides = [left, right].map(Part::Formula);
+    let x = sides.into_iter().find_map(variable)?;
+    let equation = relation == Relation::Equal;
+    equation.then(|| Some((derivative(left, &x)?, derivative(right, &x)?)))?
 }
 
 /// The variable of an antiderivative in the formula.
@@ -185,6 +191,14 @@ mod tests {
             ("int(int(x, x), x) == x^3/6", "int(int(x, x), x) == x^3/6"),
             ("int(x, x) < x^2", "int(x, x) < x^2"),
             ("1 == 1 and int(0, x) == 2", "1 == 1 and 0 == diff(2, x, 1)"),
+            (
+                "int(2*x, x) == x^2 == x^2 + 1",
+                "2*x == diff(x^2, x, 1) and x^2 == x^2 + 1",
+            ),
+            (
+                "a == b == int(1, x) == int(2, x)",
+                "a == b and diff(b, x, 1) == 1 and 1 == 2",
+            ),
         ] {
             let read = parse_statement(statement).expect(statement);
             let expected = parse_statement(pointwise).expect(pointwise);

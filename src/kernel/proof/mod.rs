@@ -25,8 +25,8 @@ pub use rule::Rule;
 pub use super::derivative::{derive, is_entire};
 use super::{Unknown, check_example};
 use crate::formula::{
-    Formula, Name, ParameterKind, Part, Point, Proposition, Relation, Statement, is_over_draws,
-    is_reserved,
+    Formula, Law, Name, ParameterKind, Part, Point, Proposition, Relation, Statement,
+    is_over_draws, is_reserved,
 };
 use normal::{Atoms, Fraction};
 use std::cell::{Cell, RefCell};
@@ -276,6 +276,8 @@ impl<'p> Proof<'p> {
                 Some(stated) => stated,
                 None => return reject("the statement has no such link"),
             };
+            let own = [a, b].into_iter().any(|side| is_any(Part::Formula(side)));
+            require(!own, "a mean of its own over a law that is not given")?;
             let Some(proved) = self.steps.get(*step).filter(|p| p.blocks.is_empty()) else {
                 return reject("a link is proved by a step outside of all blocks");
             };
@@ -383,6 +385,14 @@ fn hides_draws(part: Part) -> bool {
         let bound = derives || !names.is_empty();
         found = found || (bound && is_over_draws(inner)) || hides_draws(inner);
     });
+    found
+}
+
+/// Whether the law `any` stands in it. In a fact it is the law of the draw that its mean names; what it
+/// would be in a statement nobody says.
+fn is_any(part: Part) -> bool {
+    let mut found = matches!(part, Part::Law(Law::Any));
+    part.each(&mut |inner, _| found = found || is_any(inner));
     found
 }
 

@@ -1,9 +1,9 @@
 //! Equals for equals, under integrals, sums and means too.
 
-use super::super::{Fact, Rejected, reject, require};
+use super::super::{Fact, Rejected, is_any, reject, require};
 use super::{Check, Checked, General, depends, fits};
 use crate::formula::{
-    Condition, Draw, Formula, Law, Name, RangeKind, Ranged, free_names, substitute,
+    Condition, Draw, Formula, Law, Name, Part, RangeKind, Ranged, free_names, substitute,
 };
 
 /// A binder on the way down, and whether premises for its range may be used under it.
@@ -80,7 +80,9 @@ impl Walk<'_, '_, '_> {
             }
             (Formula::Mean(a, Some(x)), Formula::Mean(b, Some(y)))
             | (Formula::Variance(a, Some(x)), Formula::Variance(b, Some(y))) => {
-                Ok(self.laws(&x.law, &y.law, under)? && self.means(a, x, b, y, under)?)
+                // A law that is not given is that of the draw of this name.
+                let known = x.name == y.name || !is_any(Part::Law(&x.law));
+                Ok(known && self.laws(&x.law, &y.law, under)? && self.means(a, x, b, y, under)?)
             }
             _ => Ok(false),
         }

@@ -261,6 +261,31 @@ fn a_law_that_is_not_given() {
         6: var(a*X) == a^2*var(X) | chain 1 4 5
         qed 6",
     );
+    // Two laws that are not given are not one.
+    for (says, steps, why) in [
+        (
+            "mean(X) == mean(Y)",
+            "3: mean(X, X ~ any) == mean(Y, Y ~ any) | congruence\n4: mean(X) == mean(Y) | chain 1 3 2\nqed 4",
+            "more than the premises",
+        ),
+        (
+            "mean(X) == mean(Z, Z ~ any)",
+            "3: mean(X, X ~ any) == mean(Z, Z ~ any) | congruence\n4: mean(X) == mean(Z, Z ~ any) | chain 1 3\nqed 4",
+            "more than the premises",
+        ),
+        (
+            "mean(X) == mean(X, X ~ any)",
+            "qed 1",
+            "of its own over a law",
+        ),
+    ] {
+        let text = format!(
+            "theorem\ndraw X ~ any\ndraw Y ~ any\nsays {says}\nexample\nproof\n
+            1: mean(X) == mean(X, X ~ any) | draw\n2: mean(Y) == mean(Y, Y ~ any) | draw\n{steps}"
+        );
+        let flaw = replay(&text).expect_err(says);
+        assert!(flaw.to_string().contains(why), "{says}: {flaw}");
+    }
     let finite = |law: &str, says: &str, e: &str| {
         let text =
             format!("given real j\ndraw X ~ {law}\ndraw Y ~ any\ndraw Z ~ beta(2, 2)\nsays {says}");
