@@ -63,6 +63,9 @@ fn an_antiderivative_frees_its_own_equation_of_a_constant_and_no_other() {
         "given real x\nsays int(2*x, x) == x^2 == x^2 + 1",
         "given real x\nsays x^2 + 1 == x^2 == int(2*x, x)",
         "given real x, y\nsays int(x, x) == x^2/2 == y + x^2/2",
+        "given int k with 0 <= k <= 1\nsays int(k, k) == k^3/3",
+        "given int k\nsays int(0, k) == cos(pi*k)",
+        "given real x, y with x == y\nsays int(y, x) == x^2/2",
     ]);
     let chain = "given real x\nsays int(2*x, x) == x^2 == (x+1)^2 - 2*x - 1";
     assert_eq!(verdict(chain), Verdict::Proved);

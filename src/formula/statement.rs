@@ -1,6 +1,9 @@
 //! Statements: what a claim says of its formulas.
 
-use super::{Condition, Formula, Name, Operator, Part, Relation, free_names, is_over_draws};
+use super::{
+    Condition, Formula, Name, Operator, ParameterKind, Part, Proposition, Relation, free_names,
+    is_over_draws,
+};
 use std::borrow::Cow;
 
 /// What a claim states of its formulas.
@@ -73,40 +76,67 @@ pub enum Target {
     Below(Formula),
 }
 
-impl Statement {
+impl Proposition {
     /// What the statement says at single points. An equation with `int(e, x)`, an antiderivative, is
     /// one up to a constant in x on every interval: it says that the derivatives are equal. One whose
     /// antiderivatives are not added up, with factors free of x, stays as it is, and so do the other
-    /// relations of its chain.
+    /// relations of its chain, and an equation whose x is no real parameter that may move.
     pub fn pointwise(&self) -> Cow<'_, Statement> {
-        match self {
-            Statement::Chain {
-                first,
-                links,
-                regime: None,
-            } => derived_links(first, links).map_or(Cow::Borrowed(self), Cow::Owned),
-            Statement::All(parts) => {
-                let parts: Vec<_> = parts.iter().map(Statement::pointwise).collect();
-                match parts.iter().any(|part| matches!(part, Cow::Owned(_))) {
-                    true => Cow::Owned(Statement::All(
-                        parts.into_iter().map(Cow::into_owned).collect(),
-                    )),
-                    false => Cow::Borrowed(self),
-                }
-            }
-            _ => Cow::Borrowed(self),
+        pointwise(&self.statement, &|x| self.may_move(x))
+    }
+
+    /// Whether the domain has intervals in the name: it is real, and no equation ties it.
+    fn may_move(&self, x: &Name) -> bool {
+        let mut parameters = self.parameters.iter();
+        parameters.any(|p| p.name == *x && p.kind == ParameterKind::Real)
+            && !self.domain.iter().any(|condition| ties(condition, x))
+    }
+}
+
+/// Whether a condition may leave single values of the name only.
+fn ties(condition: &Condition, x: &Name) -> bool {
+    match condition {
+        Condition::Chain(_, links) => {
+            let equation = |(relation, _): &(Relation, _)| *relation == Relation::Equal;
+            links.iter().any(equation) && Part::Condition(condition).free_names().contains(x)
         }
+        Condition::And(parts) | Condition::Or(parts) => parts.iter().any(|part| ties(part, x)),
+        Condition::Not(part) => Part::Condition(part).free_names().contains(x),
+    }
+}
+
+fn pointwise<'s>(statement: &'s Statement, may_move: &dyn Fn(&Name) -> bool) -> Cow<'s, Statement> {
+    match statement {
+        Statement::Chain {
+            first,
+            links,
+            regime: None,
+        } => derived_links(first, links, may_move).map_or(Cow::Borrowed(statement), Cow::Owned),
+        Statement::All(parts) => {
+            let parts: Vec<_> = parts.iter().map(|part| pointwise(part, may_move)).collect();
+            match parts.iter().any(|part| matches!(part, Cow::Owned(_))) {
+                true => Cow::Owned(Statement::All(
+                    parts.into_iter().map(Cow::into_owned).collect(),
+                )),
+                false => Cow::Borrowed(statement),
+            }
+        }
+        _ => Cow::Borrowed(statement),
     }
 }
 
 /// The relations of a chain one by one, those with an antiderivative by their derivatives; none where no
 /// relation is so.
-fn derived_links(first: &Formula, links: &[(Relation, Formula)]) -> Option<Statement> {
+fn derived_links(
+    first: &Formula,
+    links: &[(Relation, Formula)],
+    may_move: &dyn Fn(&Name) -> bool,
+) -> Option<Statement> {
     let lefts = std::iter::once(first).chain(links.iter().map(|(_, right)| right));
     let derived: Vec<_> = lefts
         .clone()
         .zip(links)
-        .map(|(left, (relation, right))| derivatives(left, *relation, right))
+        .map(|(left, (relation, right))| derivatives((left, *relation, right), may_move))
         .collect();
     derived.iter().flatten().next()?;
     let chains = lefts.zip(links).zip(derived);
@@ -126,10 +156,13 @@ fn derived_links(first: &Formula, links: &[(Relation, Formula)]) -> Option<State
 }
 
 /// The derivatives of both sides of an equation with an antiderivative.
-fn derivatives(left: &Formula, relation: Relation, right: &Formula) -> Option<(Formula, Formula)> {
+fn derivatives(
+    (left, relation, right): (&Formula, Relation, &Formula),
+    may_move: &dyn Fn(&Name) -> bool,
+) -> Option<(Formula, Formula)> {
     let sides = [left, right].map(Part::Formula);
     let x = sides.into_iter().find_map(variable)?;
-    let equation = relation == Relation::Equal;
+    let equation = relation == Relation::Equal && may_move(&x);
     equation.then(|| Some((derivative(left, &x)?, derivative(right, &x)?)))?
 }
 
@@ -180,7 +213,7 @@ fn derivative(formula: &Formula, x: &Name) -> Option<Formula> {
 
 #[cfg(test)]
 mod tests {
-    use crate::formula::parse_statement;
+    use crate::formula::{parse_proposition, parse_statement};
 
     #[test]
     fn equations_up_to_a_constant_are_equations_of_derivatives() {
@@ -200,9 +233,25 @@ mod tests {
                 "a == b and diff(b, x, 1) == 1 and 1 == 2",
             ),
         ] {
-            let read = parse_statement(statement).expect(statement);
+            let text = format!("given real a, b, x\ndomain 0 < x < 1\nsays {statement}");
+            let read = parse_proposition(&text).expect(statement);
             let expected = parse_statement(pointwise).expect(pointwise);
             assert_eq!(*read.pointwise(), expected, "{statement}");
+        }
+    }
+
+    #[test]
+    fn a_name_that_cannot_move_has_no_antiderivatives() {
+        for scope in [
+            "given int x",
+            "given real a, x\ndomain x == a",
+            "given real a, x\ndomain a > 0 and 0 < x == a",
+            "given real a, x\ndomain x < 1 or x == a",
+            "given real a, x\ndomain not x != a",
+        ] {
+            let text = format!("{scope}\nsays int(x, x) == x^2/2");
+            let read = parse_proposition(&text).expect(scope);
+            assert_eq!(*read.pointwise(), read.statement, "{scope}");
         }
     }
 }

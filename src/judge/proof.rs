@@ -28,7 +28,7 @@ pub fn decide(
     {
         return against(refuted, theorem());
     }
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     let mut trial = match Trial::new(proposition, &statement, budget, settings) {
         Ok(trial) => trial,
         Err(finding) => return *finding,

@@ -43,7 +43,7 @@ pub fn judge_proposition(
     budget: &Budget,
     settings: &Settings,
 ) -> Finding {
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     match Trial::new(proposition, &statement, budget, settings) {
         Ok(trial) => trial.whole(),
         Err(finding) => *finding,
@@ -130,7 +130,7 @@ pub fn holds_at(
         budget,
     };
     let mut held = None;
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     for part in parts(&statement) {
         if let Part::Relation {
             left,

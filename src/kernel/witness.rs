@@ -88,7 +88,7 @@ enum Item<'a> {
 /// proved inside, a link that holds, an expansion (its constants are not a point's affair), two
 /// sides without value, or a value that the kernel cannot find.
 pub fn check_witness(proposition: &Proposition, witness: &Witness) -> Result<Refutation, Unknown> {
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     let items = items(&statement);
     let item = item(&items, witness.link)?;
     at_the_point(proposition, &witness.point, |scope| match item {
@@ -113,7 +113,7 @@ pub fn check_example(
     point: &Point,
     links: &[(usize, bool)],
 ) -> Result<(), Unknown> {
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     let items = items(&statement);
     let mut given = proposition.clone();
     let mut any = false;

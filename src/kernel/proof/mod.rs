@@ -264,7 +264,7 @@ impl<'p> Proof<'p> {
             "the proposition names what it does not declare",
         )?;
         require(!links.is_empty(), "no link is proved")?;
-        let statement = self.proposition.statement.pointwise();
+        let statement = self.proposition.pointwise();
         let stated = links_of(&statement);
         let mut shown = Vec::new();
         for (at, (link, step)) in links.iter().enumerate() {

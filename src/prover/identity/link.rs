@@ -21,7 +21,7 @@ pub fn prove(proposition: &Proposition, examples: &[Point]) -> Option<Script> {
     let mut cx = Context::default();
     let mut proved = Vec::new();
     let mut at = 0;
-    let statement = proposition.statement.pointwise();
+    let statement = proposition.pointwise();
     chains(&statement, &mut |first, links| {
         let mut left = first;
         for (relation, right) in links {
