@@ -286,18 +286,18 @@ fn mistakes<'a>(section: Section, entries: &[&'a Report]) -> Vec<Mistake<'a>> {
     mistakes
 }
 
-/// The entry that this one is like, or that one is like, to the last that is like no other.
+/// The entry that this one is like, or that one is like, to the last that is like no other; itself where
+/// they go round in a circle.
 fn first_like<'a>(report: &'a Report, entries: &[&'a Report]) -> &'a Report {
     let mut first = report;
-    // Two that are like each other are no end.
     for _ in entries {
-        let Some(like) = &first.like else { break };
-        match entries.iter().find(|entry| entry.id == *like) {
+        let like = first.like.as_ref();
+        match like.and_then(|like| entries.iter().find(|entry| entry.id == *like)) {
             Some(entry) => first = entry,
-            None => break,
+            None => return first,
         }
     }
-    first
+    report
 }
 
 /// The group of an erratum, the worst first, and within the first how far the sides lie apart.
@@ -496,6 +496,18 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("One statement is undecided"), "{text}");
+    }
+
+    #[test]
+    fn what_is_like_each_other_is_told_once_each() {
+        let mut reports = errata();
+        for (id, like) in [("near", "far"), ("far", "near")] {
+            let report = reports.iter_mut().find(|report| report.id == id);
+            report.expect("in the sample").like = Some(like.to_string());
+        }
+        let wrong = sections(&reports).remove(0).1;
+        let places: usize = wrong.iter().map(|mistake| mistake.places().count()).sum();
+        assert_eq!(places, 8);
     }
 
     #[test]
