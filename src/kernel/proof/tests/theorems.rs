@@ -280,8 +280,7 @@ fn a_law_that_is_not_given() {
         ),
     ] {
         let text = format!(
-            "theorem\ndraw X ~ any\ndraw Y ~ any\nsays {says}\nexample\nproof\n
-            1: mean(X) == mean(X, X ~ any) | draw\n2: mean(Y) == mean(Y, Y ~ any) | draw\n{steps}"
+            "theorem\ndraw X ~ any\ndraw Y ~ any\nsays {says}\nexample\nproof\n1: mean(X) == mean(X, X ~ any) | draw\n2: mean(Y) == mean(Y, Y ~ any) | draw\n{steps}"
         );
         let flaw = replay(&text).expect_err(says);
         assert!(flaw.to_string().contains(why), "{says}: {flaw}");
