@@ -19,8 +19,8 @@ mod distort;
 mod mutate;
 
 use claimcheck::formula::{
-    Condition, Formula, Name, ParameterKind, Point, Proposition, Rational, Relation, Statement,
-    parse_formula,
+    Condition, Formula, Law, Name, ParameterKind, Point, Proposition, Rational, Relation,
+    Statement, parse_formula,
 };
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Rule, Script, parse};
 use claimcheck::kernel::{Witness, check_example, check_witness};
@@ -102,6 +102,17 @@ fn has_values(script: &Script) -> bool {
         .map(|(link, _)| (*link, false))
         .collect();
     check_example(&script.proposition, &script.example, &links).is_ok()
+}
+
+/// The proposition for one law in the place of `any`, which has all the means: what fails for it fails.
+fn concrete(proposition: &Proposition) -> Proposition {
+    let mut concrete = proposition.clone();
+    for draw in &mut concrete.draws {
+        if draw.law == Law::Any {
+            draw.law = Law::Uniform(Formula::integer(0), Formula::integer(1));
+        }
+    }
+    concrete
 }
 
 /// The theorems of a folder, each with the name of its file.
@@ -219,7 +230,7 @@ fn refuted(
                 point: point.clone(),
                 link: *link,
             };
-            if check_witness(&proposition, &witness).is_ok() {
+            if check_witness(&concrete(&proposition), &witness).is_ok() {
                 let difference = first_difference(&script.proposition, &proposition);
                 return Some(Mutant {
                     proposition,
