@@ -23,7 +23,7 @@ use claimcheck::formula::{
     Statement, parse_formula,
 };
 use claimcheck::kernel::proof::{Certificate, Fact, Line, Rule, Script, parse};
-use claimcheck::kernel::{Witness, check_example, check_witness};
+use claimcheck::kernel::{Witness, check_witness, value};
 use dice::Dice;
 use distort::{distortions, other_relations, weaker};
 use mutate::{children, misprints, with_child};
@@ -94,14 +94,13 @@ fn no_false_statement_is_proved() {
     );
 }
 
-/// Whether the kernel finds values at the example: without them it can refute no mutant.
+/// Whether the kernel finds the values of all sides at the example: without them it can refute no mutant.
 fn has_values(script: &Script) -> bool {
-    let links: Vec<_> = script
-        .links
-        .iter()
-        .map(|(link, _)| (*link, false))
-        .collect();
-    check_example(&script.proposition, &script.example, &links).is_ok()
+    let draws = concrete(&script.proposition).draws;
+    let statement = script.proposition.pointwise();
+    let found = |side: &Formula| value(side, &script.example, &draws, 64).is_ok();
+    let mut chains = stated(&statement).into_iter();
+    chains.all(|(first, links)| found(first) && links.iter().all(|(_, right)| found(right)))
 }
 
 /// The proposition for one law in the place of `any`, which has all the means: what fails for it fails.
