@@ -136,9 +136,49 @@ proptest! {
         let read = Interval::from_rational(&Rational::from(&a), 400);
         let printed = Float::with_val(400, Float::parse(&text).expect("a number"));
         let error = Interval::from_ends(printed.clone(), printed).sub(&read).abs();
-        // Halfway between two decimals the last digit cannot be told.
-        let unit = read.abs().high.clone() * Float::with_val(400, 10).pow(2 - digits as i32);
+        // Exactly halfway between two decimals the last digit cannot be told.
+        let told = digits as i32 - i32::from(is_halfway(&a, digits));
+        let unit = read.abs().high.clone() * Float::with_val(400, 10).pow(1 - told);
         prop_assert!(error.low <= unit, "{} {}", text, a);
+    }
+}
+
+/// Whether the number lies in the middle of two neighbours of so many significant digits.
+fn is_halfway(a: &Rational, digits: usize) -> bool {
+    let size = Rational::from(a.abs_ref());
+    if size == 0 {
+        return false;
+    }
+    let mut step = Rational::from(1);
+    while step <= size {
+        step *= 10;
+    }
+    while step > size {
+        step /= 10;
+    }
+    for _ in 1..digits {
+        step /= 10;
+    }
+    let halves: Rational = size * 2u32 / step;
+    *halves.denom() == 1 && halves.numer().is_odd()
+}
+
+#[test]
+fn the_middle_of_two_decimals() {
+    for (a, digits, halfway) in [
+        ((-207, 160), 5, true),
+        ((-207, 160), 4, false),
+        ((-207, 160), 6, false),
+        ((1, 3), 5, false),
+        ((10, 1), 1, false),
+        ((15, 1), 1, true),
+        ((0, 1), 1, false),
+    ] {
+        assert_eq!(
+            is_halfway(&Rational::from(a), digits),
+            halfway,
+            "{a:?} {digits}"
+        );
     }
 }
 
