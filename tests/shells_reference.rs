@@ -8,7 +8,7 @@
 
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
-use claimcheck::special::shell::{Quantity, enclose};
+use claimcheck::special::shell::{Quantity, enclose, enclose_all};
 use claimcheck::special::sweep::sweep;
 use rug::{Float, Integer};
 use std::env;
@@ -29,17 +29,18 @@ fn truth(text: &str) -> Interval {
     point.add(&error.neg().hull(&error))
 }
 
-/// E_k, E_k - 1 and Var_k, photon by photon and by a sweep over this one.
-fn found(k: &Integer) -> [[Interval; 3]; 2] {
+/// E_k, E_k - 1 and Var_k: each by itself, together, and by a sweep over this photon.
+fn found(k: &Integer) -> [[Interval; 3]; 3] {
     let shell = Layout::Triangular.shell(k).expect("every k has a shell");
     let quantities = [Quantity::Mean, Quantity::Excess, Quantity::Variance];
     let alone = quantities.map(|q| enclose(q, &shell, DIGITS).expect("it is finite"));
+    let together = enclose_all(quantities, &shell, DIGITS).expect("they are finite");
     let mut blocks = sweep(&Layout::Triangular, k, k, DIGITS);
     let block = blocks.next().expect("one").expect("it converges");
     let photon = block.photons().next().expect("one");
     let swept = [photon.mean(), photon.excess(), photon.variance()];
     let swept = swept.map(|value| value.expect("it is finite").enclose(BITS));
-    [alone, swept]
+    [alone, together, swept]
 }
 
 fn check(line: &str) {

@@ -7,7 +7,7 @@
 
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
-use claimcheck::special::shell::{Quantity, enclose};
+use claimcheck::special::shell::{Quantity, enclose, enclose_all};
 use claimcheck::special::sweep::sweep;
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -43,10 +43,10 @@ fn point(k: u64, digits: u32) -> Option<()> {
         let call = || enclose(quantity, black_box(&shell), digits);
         print_point(job, k, digits, best(call), &call().ok()?);
     }
-    let both =
-        || [Quantity::Mean, Quantity::Variance].map(|q| enclose(q, black_box(&shell), digits));
-    let [_, variance] = both();
-    print_point('B', k, digits, best(both), &variance.ok()?);
+    let quantities = [Quantity::Mean, Quantity::Variance];
+    let both = || enclose_all(quantities, black_box(&shell), digits);
+    let [_, variance] = both().ok()?;
+    print_point('B', k, digits, best(both), &variance);
     Some(())
 }
 

@@ -360,7 +360,10 @@ fn several(function: Function, arguments: &[Formula], scope: &Scope, precision: 
         }
     }
     let result = match (function, &places[..]) {
-        (Function::Hyp2F1, [a, b, c, z]) => special::hyp2f1(a, b, c, z, precision),
+        (Function::Hyp2F1, [a, b, c, z]) => match rationals(arguments, scope).as_deref() {
+            Some([a, b, c, z]) => special::hyp2f1_rational(a, b, c, z, precision),
+            _ => special::hyp2f1(a, b, c, z, precision),
+        },
         (Function::Hyp2F1Regularized, [a, b, c, z]) => {
             special::hyp2f1_regularized(a, b, c, z, precision)
         }
@@ -380,6 +383,15 @@ fn several(function: Function, arguments: &[Formula], scope: &Scope, precision: 
         }
         decided => defined(decided, function.name()),
     }
+}
+
+/// The arguments, where all are rational numbers.
+fn rationals(arguments: &[Formula], scope: &Scope) -> Option<Vec<Rational>> {
+    let rational = |argument| match exact::closed(argument, scope) {
+        Ok(Value(value)) => value.as_rational(),
+        _ => None,
+    };
+    arguments.iter().map(rational).collect()
 }
 
 /// Sums, suprema and infima over integers.

@@ -143,11 +143,11 @@ impl Method<'_> {
             / shift(&sum, total, self.budget)?;
         self.budget.spend(u64::from(self.precision))?;
         let failed = |_| unsupported("hyp2f1 in a mean");
-        let function = special::hyp2f1(
-            &Interval::from_i64(order.saturating_neg(), self.precision),
-            &self.interval(&(self.a + Rational::from(p))),
-            &self.interval(&(sum + Rational::from(total))),
-            &self.interval(&Rational::from(pole.recip_ref())),
+        let function = special::hyp2f1_rational(
+            &Rational::from(order.saturating_neg()),
+            &(self.a + Rational::from(p)),
+            &(sum + Rational::from(total)),
+            &Rational::from(pole.recip_ref()),
             self.precision,
         )
         .map_err(failed)?;

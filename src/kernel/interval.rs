@@ -226,7 +226,9 @@ fn floor_to_bits(number: &Rational, bits: u64) -> Rational {
     let shift = bits as i64 + below.bits() as i64 - above.bits() as i64;
     let unit = BigInt::one() << shift.unsigned_abs();
     if shift >= 0 {
-        Rational::new((above * &unit).div_floor(below), unit)
+        let floor = (above * &unit).div_floor(below);
+        debug_assert!(floor.bits() <= bits + 2, "more than is kept");
+        Rational::new(floor, unit)
     } else {
         Rational::from_integer(above.div_floor(&(below * &unit)) * unit)
     }

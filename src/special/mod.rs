@@ -11,6 +11,7 @@
 //!
 //! [`DomainError`]: crate::number::DomainError
 
+mod family;
 mod gamma_quotient;
 mod hyp2f1;
 pub mod one;
@@ -19,6 +20,7 @@ pub mod ratio;
 pub mod shell;
 pub mod sweep;
 
+pub use family::hyp2f1_rational;
 pub use gamma_quotient::{beta, gamma_quotient};
 pub use hyp2f1::{hyp2f1, hyp2f1_regularized};
 pub use pochhammer::{binomial, pochhammer};

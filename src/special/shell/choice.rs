@@ -29,18 +29,41 @@ pub(super) fn bits_of(digits: u32) -> u32 {
 /// [`ShellError`]: `NoShell`, `Domain` where there is no value, `Outside` where no method has one within its
 /// cap of work (more than a million digits among them).
 pub fn enclose(quantity: Quantity, shell: &Shell, digits: u32) -> Result<Interval, ShellError> {
+    let [value] = enclose_all([quantity], shell, digits)?;
+    Ok(value)
+}
+
+/// Several quantities, each as [`enclose`] gives it, at about the cost of one.
+///
+/// ```
+/// use claimcheck::model::Layout;
+/// use claimcheck::special::shell::{Quantity, enclose_all};
+/// let shell = Layout::Triangular.shell(&5050.into()).expect("a photon");
+/// let [mean, variance] = enclose_all([Quantity::Mean, Quantity::Variance], &shell, 30)?;
+/// assert_eq!(mean.to_decimal(12), "1.00019603975");
+/// assert_eq!(variance.to_decimal(5), "1.2937e-8");
+/// # Ok::<(), claimcheck::special::shell::ShellError>(())
+/// ```
+///
+/// # Errors
+/// As [`enclose`].
+pub fn enclose_all<const N: usize>(
+    quantities: [Quantity; N],
+    shell: &Shell,
+    digits: u32,
+) -> Result<[Interval; N], ShellError> {
     if digits > MOST_DIGITS {
         return Err(ShellError::Outside);
     }
     let bits = bits_of(digits);
     if let Ok(scene) = Scene::new(shell)
-        && let Some(value) = by_words(quantity, &scene, bits)
+        && let Some(values) = by_words(quantities, &scene, bits)
     {
-        return Ok(value);
+        return Ok(values);
     }
     let sketch = Sketch::new(shell)?;
-    for (method, working) in ranked(quantity, &sketch, bits) {
-        match climb(method, quantity, shell, working, bits) {
+    for (method, working) in ranked(&quantities, &sketch, bits) {
+        match climb(method, quantities, shell, working, bits) {
             Err(ShellError::Outside | ShellError::Lost) => {}
             result => return result,
         }
@@ -49,14 +72,18 @@ pub fn enclose(quantity: Quantity, shell: &Shell, digits: u32) -> Result<Interva
 }
 
 /// The short way for most shells and up to a thousand digits: without a look at the other methods.
-fn by_words(quantity: Quantity, scene: &Scene, bits: u32) -> Option<Interval> {
+fn by_words<const N: usize>(
+    quantities: [Quantity; N],
+    scene: &Scene,
+    bits: u32,
+) -> Option<[Interval; N]> {
     let sketch = Sketch::of(scene);
     if !words::is_cheapest(&sketch, bits) {
         return None;
     }
-    let mut working = Method::Words.working_bits(quantity, &sketch, bits);
+    let mut working = Method::Words.working_bits(&quantities, &sketch, bits);
     for _ in 0..ROUNDS {
-        match words::certified(quantity, scene, working, bits) {
+        match words::certified(quantities, scene, working, bits) {
             Err(ShellError::Lost) => working += 16,
             result => return result.ok(),
         }
@@ -75,18 +102,22 @@ pub fn choose(quantity: Quantity, shell: &Shell, digits: u32) -> Result<(Method,
     let bits = bits_of(digits);
     let sketch = Sketch::new(shell)?;
     if Scene::new(shell).is_ok() && words::is_cheapest(&sketch, bits) {
-        let working = Method::Words.working_bits(quantity, &sketch, bits);
+        let working = Method::Words.working_bits(&[quantity], &sketch, bits);
         return Ok((Method::Words, working));
     }
-    ranked(quantity, &sketch, bits)
+    ranked(&[quantity], &sketch, bits)
         .next()
         .ok_or(ShellError::Outside)
 }
 
 /// The methods with their working precisions, the cheapest first.
-fn ranked(quantity: Quantity, sketch: &Sketch, bits: u32) -> impl Iterator<Item = (Method, u32)> {
+fn ranked(
+    quantities: &[Quantity],
+    sketch: &Sketch,
+    bits: u32,
+) -> impl Iterator<Item = (Method, u32)> + use<> {
     let mut methods = Method::ALL.map(|method| {
-        let working = method.working_bits(quantity, sketch, bits);
+        let working = method.working_bits(quantities, sketch, bits);
         (method.cost(sketch, working), method, working)
     });
     methods.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -94,19 +125,19 @@ fn ranked(quantity: Quantity, sketch: &Sketch, bits: u32) -> impl Iterator<Item 
     usable.map(|(_, method, working)| (method, working))
 }
 
-/// One method, with more bits until the relative width is below 2^-bits.
-fn climb(
+/// One method, with more bits until the relative widths are below 2^-bits.
+fn climb<const N: usize>(
     method: Method,
-    quantity: Quantity,
+    quantities: [Quantity; N],
     shell: &Shell,
     mut working: u32,
     bits: u32,
-) -> Result<Interval, ShellError> {
+) -> Result<[Interval; N], ShellError> {
     for _ in 0..ROUNDS {
-        let missing = match method.enclose(quantity, shell, working) {
-            Ok(value) => match missing_bits(&value, bits) {
-                0 => return Ok(value),
-                missing => missing,
+        let missing = match method.enclose_all(quantities, shell, working) {
+            Ok(values) => match values.iter().map(|value| missing_bits(value, bits)).max() {
+                None | Some(0) => return Ok(values),
+                Some(missing) => missing,
             },
             Err(ShellError::Lost) => working / 2,
             Err(error) => return Err(error),

@@ -14,9 +14,9 @@
 //! other way; intervals follow by themselves. From the middle `l0 = m/(1+c)` outwards no error grows.
 
 use super::ShellError;
+use super::pfaff;
 use super::quantity::{Numbers, Quantity};
 use super::sketch::{self, Sketch};
-use super::{pfaff, quantity};
 use crate::model::Shell;
 use crate::number::Interval;
 use rug::{Integer, Rational};
@@ -43,13 +43,13 @@ impl<'a> Walk<'a> {
             position: l.clone(),
             ..shell.clone()
         };
-        let numbers = Numbers::new(&there)?;
+        let numbers = Numbers::new(&there);
         let x = pfaff::mean(&numbers, precision)?;
         Ok(Walk {
             shell,
             c: Rational::from(&shell.inner + &shell.volume) / &shell.inner,
             l,
-            function: numbers.quantity(quantity::Quantity::Function, &x)?,
+            function: numbers.quantity(Quantity::Function, &x)?,
         })
     }
 
@@ -80,13 +80,13 @@ impl<'a> Walk<'a> {
 }
 
 /// From photon `start` of the shell to the shell's own.
-pub(super) fn walk(
-    quantity: Quantity,
+pub(super) fn walk<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     start: Integer,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     let steps = Integer::from(&start - &shell.position).abs();
     if steps > MOST_STEPS || shell.inner == 0 {
         return Err(ShellError::Outside);
@@ -98,7 +98,7 @@ pub(super) fn walk(
     while walk.l > shell.position {
         walk.down()?;
     }
-    numbers.by_function(quantity, &walk.function)
+    numbers.by_function(quantities, &walk.function)
 }
 
 /// The photon from which errors shrink both ways, `m/(1+c) = m Va/(2 Va + V)` rounded into 1..m.

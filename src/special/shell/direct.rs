@@ -20,16 +20,16 @@ use rug::{Integer, Rational};
 /// Bits for the rounding errors of the terms.
 const GUARD: u32 = 24;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     if shell.volume >= shell.inner {
         return Err(ShellError::Outside);
     }
-    numbers.by_function(quantity, &function(shell, bits + GUARD)?)
+    numbers.by_function(quantities, &function(shell, bits + GUARD)?)
 }
 
 fn function(shell: &Shell, precision: u32) -> Result<Interval, ShellError> {

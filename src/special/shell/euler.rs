@@ -4,14 +4,16 @@
 //! F = C int over [0, 1] of x^(l-1) (1-x)^(m-l) Va/(Va + V x),    C = m!/((l-1)! (m-l)!)
 //! ```
 //!
-//! by Fejér's first rule, exact for polynomials of degree < n at the zeros `cos t_j`, `t_j = (2j-1) pi/(2n)`, of T_n, with
-//! the positive weights `(2/n)(1 - 2 sum of cos(2 i t_j)/(4 i^2-1), i <= n/2)` (Fejér 1933; Trefethen,
-//! *Approximation Theory and Approximation Practice*, chapter 19).
+//! by Fejér's first rule: the integral over [-1, 1] of the polynomial of degree < n that agrees at the zeros
+//! `cos t_j`, `t_j = (2j-1) pi/(2n)`, of T_n. As `int of T_2i = -2/(4 i^2-1)` and the cosines at the zeros are orthogonal
+//! (geometric progressions), its weights are `(2/n)(1 - 2 sum of cos(2 i t_j)/(4 i^2-1), 1 <= i <= n/2)`. They are positive, since
+//! `2/(4 i^2-1) = 1/(2i-1) - 1/(2i+1)` sum up to less than 1, and their sum is 2.
 //!
 //! Theorem (remainder). Let g be analytic in the ellipse with foci -1, 1 and half axes a and b, rho = a+b, and
-//! |g| <= M there. Then the rule's error is at most `8 M rho^(-n)/(1 - 1/rho)`. Proof. The Chebyshev coefficients of g are at
-//! most `2 M rho^(-k)` (Trefethen, theorem 8.1). On T_k, k < n, the rule is exact; for k >= n the integral and the
-//! rule are each at most 2 in size, as the weights are positive and their sum is 2. Sum over k >= n. QED.
+//! |g| <= M there. Then the rule's error is at most `8 M rho^(-n)/(1 - 1/rho)`. Proof. With u = (z + 1/z)/2 the Chebyshev
+//! coefficient of T_k is `1/(pi i)` times the integral of `g(u) z^(-k-1)` over |z| = 1, and over |z| = r < rho as well: at
+//! most `2 M rho^(-k)` in size. On T_k, k < n, the rule is exact; for k >= n the integral and the rule are each at most
+//! 2 in size, by the weights. Sum over k >= n. QED.
 //!
 //! Here x = (1+u)/2, and with `a = 1 + Va/V` the ellipse has |x| and |1-x| <= (1+a)/2 and the real part of x
 //! >= -Va/(2V), so that `|Va/(Va+Vx)| <= 2` and M = C ((1+a)/2)^(m-1), the factor 1/2 of dx included.
@@ -31,19 +33,19 @@ const MOST_NODES: f64 = 1024.0;
 /// Bits for the rounding errors.
 const GUARD: u32 = 32;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     let nodes = nodes(&Sketch::new(shell)?, bits);
     if nodes > MOST_NODES {
         return Err(ShellError::Outside);
     }
     let integral = Integral::new(shell, bits + GUARD)?;
     let function = integral.fejer(nodes as u32)?;
-    numbers.by_function(quantity, &function)
+    numbers.by_function(quantities, &function)
 }
 
 struct Integral<'a> {

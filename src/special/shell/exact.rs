@@ -11,7 +11,7 @@
 //! `x = sum of u^(2j)/(2j+1)` (DLMF 4.38.5): the series of `splitting` with `r_j = u^2 (2j+1)/(2j+3)`.
 
 use super::ShellError;
-use super::quantity::{Numbers, Quantity};
+use super::quantity::{Numbers, Quantity, each};
 use super::sketch::{self, Sketch};
 use super::splitting::Series;
 use crate::model::{LogLinear, MomentError, Shell, mean_reciprocal};
@@ -27,14 +27,14 @@ const MOST_PHOTONS: f64 = 4096.0;
 /// The largest u for which the series of artanh is summed.
 const SHORT: f64 = 0.5;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     if shell.inner == 0 {
-        return at_the_centre(quantity, shell, bits);
+        return each(quantities, |quantity| at_the_centre(quantity, shell, bits));
     }
     let value = mean_reciprocal(shell).map_err(|error| match error {
         MomentError::NoShell => ShellError::NoShell,
@@ -43,7 +43,7 @@ pub(super) fn enclose(
     let value = value.ok_or(DomainError::Certain)?;
     let function = mean(&value, shell, bits + GUARD)?;
     let function = function.mul(&Interval::from_rational(&shell.inner, bits + GUARD));
-    numbers.by_function(quantity, &function)
+    numbers.by_function(quantities, &function)
 }
 
 /// a + b ln(1 + V/Va) to about 2^-bits of its size.

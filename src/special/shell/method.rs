@@ -1,6 +1,6 @@
 //! The methods, as one list.
 
-use super::quantity::Quantity;
+use super::quantity::{Quantity, check};
 use super::sketch::Sketch;
 use super::{
     ShellError, choice, direct, downwards, euler, exact, middle, moments, pfaff, scene::Scene,
@@ -63,31 +63,48 @@ impl Method {
         shell: &Shell,
         bits: u32,
     ) -> Result<Interval, ShellError> {
+        let [value] = self.enclose_all([quantity], shell, bits)?;
+        Ok(value)
+    }
+
+    /// As [`Method::enclose`], for several quantities at about the cost of one.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn enclose_all<const N: usize>(
+        self,
+        quantities: [Quantity; N],
+        shell: &Shell,
+        bits: u32,
+    ) -> Result<[Interval; N], ShellError> {
+        check(shell)?;
         let bits = bits.max(2);
         match self {
-            Method::Direct => direct::enclose(quantity, shell, bits),
-            Method::Pfaff => pfaff::enclose(quantity, shell, bits),
-            Method::Exact => exact::enclose(quantity, shell, bits),
-            Method::Upwards => upwards::enclose(quantity, shell, bits),
-            Method::Downwards => downwards::enclose(quantity, shell, bits),
-            Method::Middle => middle::enclose(quantity, shell, bits),
-            Method::Moments => moments::enclose(quantity, shell, bits),
-            Method::Euler => euler::enclose(quantity, shell, bits),
-            Method::Splitting => splitting::enclose(quantity, shell, bits),
-            Method::Words => words::enclose(quantity, &Scene::new(shell)?, bits),
-            Method::Thesis => thesis::enclose(quantity, shell, bits),
+            Method::Direct => direct::enclose(quantities, shell, bits),
+            Method::Pfaff => pfaff::enclose(quantities, shell, bits),
+            Method::Exact => exact::enclose(quantities, shell, bits),
+            Method::Upwards => upwards::enclose(quantities, shell, bits),
+            Method::Downwards => downwards::enclose(quantities, shell, bits),
+            Method::Middle => middle::enclose(quantities, shell, bits),
+            Method::Moments => moments::enclose(quantities, shell, bits),
+            Method::Euler => euler::enclose(quantities, shell, bits),
+            Method::Splitting => splitting::enclose(quantities, shell, bits),
+            Method::Words => words::enclose(quantities, &Scene::new(shell)?, bits),
+            Method::Thesis => thesis::enclose(quantities, shell, bits),
         }
     }
 
     /// The bits to work with so that `bits` remain, about.
-    pub(super) fn working_bits(self, quantity: Quantity, sketch: &Sketch, bits: u32) -> u32 {
+    pub(super) fn working_bits(self, quantities: &[Quantity], sketch: &Sketch, bits: u32) -> u32 {
+        let losses = quantities.iter().map(|&quantity| sketch.loss(quantity));
+        let loss = losses.fold(0.0, f64::max);
         let loss = match self {
             // Sums of one sign times exact factors; only E - 1 for k < mean(U) can cancel.
             Method::Moments => 0.0,
-            Method::Upwards => sketch.loss(quantity) + sketch.walk_loss(1.0, sketch.l),
-            Method::Downwards => sketch.loss(quantity) + sketch.walk_loss(sketch.l, sketch.s - 1.0),
-            Method::Thesis => sketch.loss(quantity) + 8.0,
-            _ => sketch.loss(quantity),
+            Method::Upwards => loss + sketch.walk_loss(1.0, sketch.l),
+            Method::Downwards => loss + sketch.walk_loss(sketch.l, sketch.s - 1.0),
+            Method::Thesis => loss + 8.0,
+            _ => loss,
         };
         bits.saturating_add(loss.min(1e9).ceil() as u32)
             .saturating_add(5)
@@ -96,7 +113,7 @@ impl Method {
     /// The working precision, in bits, from which so many digits remain, about; 0 for no shell.
     pub fn bits_for(self, quantity: Quantity, shell: &Shell, digits: u32) -> u32 {
         let bits = choice::bits_of(digits);
-        Sketch::new(shell).map_or(0, |sketch| self.working_bits(quantity, &sketch, bits))
+        Sketch::new(shell).map_or(0, |sketch| self.working_bits(&[quantity], &sketch, bits))
     }
 
     /// Machine instructions that [`Method::enclose`] is expected to take; infinite outside the domain, and for no shell.

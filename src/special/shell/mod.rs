@@ -40,7 +40,7 @@ mod thesis;
 mod upwards;
 mod words;
 
-pub use choice::{choose, enclose};
+pub use choice::{choose, enclose, enclose_all};
 pub use method::Method;
 pub use quantity::Quantity;
 

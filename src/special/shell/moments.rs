@@ -30,7 +30,7 @@
 //! Domain: `Va > 0` and H < 1, where the terms fall; cost: terms with two products each.
 
 use super::ShellError;
-use super::quantity::{Numbers, Quantity};
+use super::quantity::{Numbers, Quantity, each};
 use super::sketch::{self, Sketch};
 use crate::model::Shell;
 use crate::number::Interval;
@@ -49,12 +49,12 @@ struct Sums {
     t2: Interval,
 }
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     let precision = bits + GUARD;
     let (l, m) = (&shell.position, &shell.count);
     let own = Rational::from(&shell.volume * l) / Integer::from(m + 1u32);
@@ -63,19 +63,23 @@ pub(super) fn enclose(
     if shell.inner == 0 || outer >= Rational::from(&mu * 2u32) {
         return Err(ShellError::Outside);
     }
-    let number = |value: &Rational| Interval::from_rational(value, precision);
-    let sums = sums(shell, &numbers, &mu, precision)?;
-    let one = Interval::from_i64(1, precision);
-    let ratio = Rational::from(&shell.inner + l) / &mu;
-    let more = sums.t2.mul(&sums.first);
-    Ok(match quantity {
-        Quantity::Function => number(&(shell.inner.clone() / mu)).mul(&one.add(&more)),
-        Quantity::Mean => number(&ratio).mul(&one.add(&more)),
-        Quantity::Excess => number(&ratio).mul(&more).add(&number(&(ratio - 1u32))),
-        Quantity::Variance => {
-            let spread = sums.second.sub(&more.mul(&sums.first));
-            number(&ratio).square().mul(&sums.t2).mul(&spread)
-        }
+    let number = |value: Rational| Interval::from_rational(&value, precision);
+    let Sums { first, second, t2 } = sums(shell, &numbers, &mu, precision)?;
+    let k = Rational::from(&shell.inner + l);
+    let offset = number(Rational::from(&k - &mu) / &mu);
+    let (ratio, inside) = (number(k / &mu), number(shell.inner.clone() / mu));
+    let more = t2.mul(&first);
+    let mean = Interval::from_i64(1, precision).add(&more);
+    each(quantities, |quantity| {
+        Ok(match quantity {
+            Quantity::Function => inside.mul(&mean),
+            Quantity::Mean => ratio.mul(&mean),
+            Quantity::Excess => ratio.mul(&more).add(&offset),
+            Quantity::Variance => {
+                let spread = second.sub(&more.mul(&first));
+                ratio.square().mul(&t2).mul(&spread)
+            }
+        })
     })
 }
 

@@ -23,14 +23,14 @@ pub(super) const MOST_TERMS: u32 = 1 << 17;
 /// Bits for the rounding errors of the terms.
 const GUARD: u32 = 24;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     let x = mean(&numbers, bits + GUARD)?;
-    numbers.quantity(quantity, &x)
+    numbers.all(quantities, &x)
 }
 
 /// mean(A/U) - 1

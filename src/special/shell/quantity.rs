@@ -28,6 +28,24 @@ impl Quantity {
     ];
 }
 
+/// A value for each quantity.
+///
+/// # Errors
+/// The last one that comes up.
+pub(super) fn each<const N: usize>(
+    quantities: [Quantity; N],
+    mut value: impl FnMut(Quantity) -> Result<Interval, ShellError>,
+) -> Result<[Interval; N], ShellError> {
+    let mut failed = None;
+    let values = quantities.map(|quantity| {
+        value(quantity).unwrap_or_else(|error| {
+            failed = Some(error);
+            Interval::from_i64(0, 2)
+        })
+    });
+    failed.map_or(Ok(values), Err)
+}
+
 /// # Errors
 /// `NoShell` for no shell of the model.
 pub(super) fn check(shell: &Shell) -> Result<(), ShellError> {
@@ -43,7 +61,7 @@ pub(super) fn check(shell: &Shell) -> Result<(), ShellError> {
     Ok(())
 }
 
-/// The rational numbers of a shell, A = Va+V.
+/// The rational numbers of a shell of the model, A = Va+V.
 pub(super) struct Numbers {
     /// w = V/A
     pub(super) w: Rational,
@@ -56,22 +74,28 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// # Errors
-    /// `NoShell` for no shell of the model.
-    pub(super) fn new(shell: &Shell) -> Result<Numbers, ShellError> {
-        check(shell)?;
+    pub(super) fn new(shell: &Shell) -> Numbers {
         let (l, m) = (&shell.position, &shell.count);
         let outer = Rational::from(&shell.inner + &shell.volume);
         let s = Integer::from(m + 1u32);
-        Ok(Numbers {
+        Numbers {
             w: Rational::from(&shell.volume / &outer),
             k: Rational::from(&shell.inner + l) / outer,
             q: Integer::from(&s - l),
             s,
-        })
+        }
     }
 
-    /// The quantity from an enclosure of `x = mean(A/U) - 1`, for `Va > 0`.
+    /// The quantities from an enclosure of `x = mean(A/U) - 1`, for `Va > 0`.
+    pub(super) fn all<const N: usize>(
+        &self,
+        quantities: [Quantity; N],
+        x: &Interval,
+    ) -> Result<[Interval; N], ShellError> {
+        each(quantities, |quantity| self.quantity(quantity, x))
+    }
+
+    /// One quantity from an enclosure of x.
     ///
     /// Theorem. `F = (1-w)(1+x)`, `E = (k/A)(1+x)` and, with X = A/U - 1,
     /// `(1-w) mean(X^2) = w q - (s - w (q+1)) x`, so that `Var = (k/A)^2 (mean(X^2) - x^2)`.
@@ -102,18 +126,18 @@ impl Numbers {
         })
     }
 
-    /// The quantity from an enclosure of F, for `Va > 0`.
-    pub(super) fn by_function(
+    /// The quantities from an enclosure of F, for `Va > 0`.
+    pub(super) fn by_function<const N: usize>(
         &self,
-        quantity: Quantity,
+        quantities: [Quantity; N],
         function: &Interval,
-    ) -> Result<Interval, ShellError> {
-        if quantity == Quantity::Function {
-            return Ok(function.clone());
-        }
+    ) -> Result<[Interval; N], ShellError> {
         let precision = function.precision();
         let rest = Interval::from_rational(&(1u32 - self.w.clone()), precision);
         let x = function.div(&rest)?.sub(&Interval::from_i64(1, precision));
-        self.quantity(quantity, &x)
+        each(quantities, |quantity| match quantity {
+            Quantity::Function => Ok(function.clone()),
+            _ => self.quantity(quantity, &x),
+        })
     }
 }

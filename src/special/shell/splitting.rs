@@ -41,12 +41,12 @@ const WORD: u32 = 58;
 /// So many runs of words are put together in words, before whole numbers take over.
 const LEAF: usize = 16;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    let numbers = Numbers::new(shell)?;
+) -> Result<[Interval; N], ShellError> {
+    let numbers = Numbers::new(shell);
     let series = Series {
         w: &numbers.w,
         q: &numbers.q,
@@ -54,7 +54,7 @@ pub(super) fn enclose(
         step: 1,
     };
     let x = series.sum(bits + GUARD)?;
-    numbers.quantity(quantity, &x)
+    numbers.all(quantities, &x)
 }
 
 /// The series with `r_j = w (q + g j)/(s + g j)`, 0 < q < s and 0 < w < 1.

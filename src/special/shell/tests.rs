@@ -276,10 +276,8 @@ fn no_shell_is_refused() {
         for quantity in Quantity::ALL {
             assert_eq!(enclose(quantity, &shell, 15), Err(ShellError::NoShell));
             for method in Method::ALL {
-                assert!(
-                    method.enclose(quantity, &shell, 100).is_err(),
-                    "{method:?} {shell:?}"
-                );
+                let found = method.enclose(quantity, &shell, 100);
+                assert_eq!(found, Err(ShellError::NoShell), "{method:?} {shell:?}");
             }
         }
     }
@@ -305,6 +303,64 @@ fn hard_shells_are_answered_or_refused_in_time() {
                 value.overlaps(&reference(quantity, &shell, 500)),
                 "{quantity:?} {shell:?}"
             );
+        }
+    }
+}
+
+#[test]
+fn several_quantities_are_those_of_each() {
+    let quantities = Quantity::ALL;
+    let thick = shell(13, 52, Rational::from((1, 5)), Rational::from(9781));
+    for (shell, digits) in [
+        (photon(4), 15),
+        (photon(5050), 50),
+        (photon(5050), 3000),
+        (photon(1_000_000_000_000), 400),
+        (thick, 30),
+    ] {
+        let together = enclose_all(quantities, &shell, digits).expect("they have values");
+        for (quantity, value) in quantities.into_iter().zip(together) {
+            let alone = enclose(quantity, &shell, digits).expect("it has a value");
+            assert!(
+                value.agrees_to(digits) && value.overlaps(&alone),
+                "{quantity:?} {shell:?}"
+            );
+        }
+        for method in Method::ALL {
+            let bits = method.bits_for(Quantity::Variance, &shell, digits);
+            let Ok(together) = method.enclose_all(quantities, &shell, bits) else {
+                continue;
+            };
+            for (quantity, value) in quantities.into_iter().zip(together) {
+                let alone = method.enclose(quantity, &shell, bits);
+                let overlap = alone.is_ok_and(|alone| value.overlaps(&alone));
+                assert!(overlap, "{method:?} {quantity:?} {shell:?}");
+            }
+        }
+    }
+    // One without a value leaves none to the others.
+    let centre = shell(2, 9, Rational::new(), 9.into());
+    let both = enclose_all([Quantity::Mean, Quantity::Variance], &centre, 15);
+    assert!(both.is_err() && enclose(Quantity::Mean, &centre, 15).is_ok());
+}
+
+#[test]
+fn the_last_photon_of_a_large_shell() {
+    // Here m = l: an early form of the splitting had enclosures apart from the truth.
+    let m = 357_231u64;
+    let shell = photon(m * (m + 1) / 2);
+    for bits in [53, 200, 267, 400] {
+        let truth = reference(Quantity::Excess, &shell, bits);
+        for method in [
+            Method::Splitting,
+            Method::Words,
+            Method::Moments,
+            Method::Pfaff,
+        ] {
+            let value = method
+                .enclose(Quantity::Excess, &shell, bits)
+                .expect("it converges");
+            assert!(value.overlaps(&truth), "{method:?} {bits}");
         }
     }
 }

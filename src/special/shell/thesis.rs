@@ -8,19 +8,18 @@
 //! 2 log2 k bits, which are lost, as is log2 k of E - 1. The intervals say so. (Why 2.104 holds: `quantity`.)
 
 use super::ShellError;
-use super::quantity::{Quantity, check};
+use super::quantity::{Quantity, each};
 use super::sketch::{self, Sketch};
 use crate::model::Shell;
 use crate::number::Interval;
 use crate::special::hyp2f1;
 use rug::{Integer, Rational};
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    check(shell)?;
+) -> Result<[Interval; N], ShellError> {
     if shell.inner == 0 {
         return Err(ShellError::Outside);
     }
@@ -36,19 +35,21 @@ pub(super) fn enclose(
     let function = hyp2f1(&one, &b, &c, &z, bits)?;
     let k = inner.add(&l);
     let mean = k.mul(&function).div(&inner)?;
-    Ok(match quantity {
-        Quantity::Function => function,
-        Quantity::Mean => mean,
-        Quantity::Excess => mean.sub(&one),
-        Quantity::Variance => {
-            let factor = inner.sub(&m.mul(&inner)).sub(&l.mul(&volume)).add(&volume);
-            let square = factor
-                .mul(&function)
-                .add(&inner.mul(&m))
-                .mul(&k.square())
-                .div(&inner.square().mul(&inner.add(&volume)))?;
-            square.sub(&mean.square())
-        }
+    each(quantities, |quantity| {
+        Ok(match quantity {
+            Quantity::Function => function.clone(),
+            Quantity::Mean => mean.clone(),
+            Quantity::Excess => mean.sub(&one),
+            Quantity::Variance => {
+                let factor = inner.sub(&m.mul(&inner)).sub(&l.mul(&volume)).add(&volume);
+                let square = factor
+                    .mul(&function)
+                    .add(&inner.mul(&m))
+                    .mul(&k.square())
+                    .div(&inner.square().mul(&inner.add(&volume)))?;
+                square.sub(&mean.square())
+            }
+        })
     })
 }
 

@@ -10,12 +10,12 @@ use super::{ShellError, contiguous};
 use crate::model::Shell;
 use crate::number::Interval;
 
-pub(super) fn enclose(
-    quantity: Quantity,
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     shell: &Shell,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    contiguous::walk(quantity, shell, 1.into(), bits)
+) -> Result<[Interval; N], ShellError> {
+    contiguous::walk(quantities, shell, 1.into(), bits)
 }
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {

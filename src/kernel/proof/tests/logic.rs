@@ -375,6 +375,7 @@ fn computed_values() {
     yes("9: 3! + 1/2 == 13/2 | compute");
     yes("9: gamma(4) == 6 | compute");
     yes("9: sqrt(4) == 2 | compute");
+    yes("9: sum(j, j = 1..3) == 6 | compute");
     yes("9: undefined gamma(-1) | compute");
     no("9: 3! == 7 | compute", "another");
     no("9: 3! == 6 + x - x + 0/y | compute", "finite");

@@ -34,7 +34,7 @@
 mod series;
 
 use super::ShellError;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, each};
 use super::scene::{Fraction, Scene};
 use super::sketch::Sketch;
 use crate::number::Interval;
@@ -53,36 +53,40 @@ struct Enclosed<'a> {
     ulps: u64,
 }
 
-/// The quantity, from x to about 2^-bits; the result has the relative accuracy that this leaves.
+/// The quantities, from x to about 2^-bits; the results have the relative accuracy that this leaves.
 ///
 /// # Errors
-/// `Outside` where a shell's numbers exceed a word, or `Va < V`; `Lost` where the bits do not
-/// suffice to tell the result from 0.
-pub(super) fn enclose(
-    quantity: Quantity,
+/// `Outside` where a shell's numbers exceed a word, or `V > 2^16 Va`; `Lost` where the bits do not
+/// suffice to tell a result from 0.
+pub(super) fn enclose<const N: usize>(
+    quantities: [Quantity; N],
     scene: &Scene,
     bits: u32,
-) -> Result<Interval, ShellError> {
-    certified(quantity, scene, bits, 0)
+) -> Result<[Interval; N], ShellError> {
+    certified(quantities, scene, bits, 0)
 }
 
-/// As [`enclose`], and `Lost` where the relative width is not below 2^-needed.
-pub(super) fn certified(
-    quantity: Quantity,
+/// As [`enclose`], and `Lost` where a relative width is not below 2^-needed.
+pub(super) fn certified<const N: usize>(
+    quantities: [Quantity; N],
     scene: &Scene,
     bits: u32,
     needed: u32,
-) -> Result<Interval, ShellError> {
+) -> Result<[Interval; N], ShellError> {
     // So many blocks at most that their ulps stay below 2^-bits.
     let guard = 33 - bits.leading_zeros();
     let words = (bits + guard + scene.shift).div_ceil(64) as usize;
     // And so few bits unused that all errors, counted in ulps, are words.
-    let bits = bits.max(64 * words as u32 - scene.shift - room(quantity, scene)?);
+    let mut unused = u32::MAX;
+    for quantity in quantities {
+        unused = unused.min(room(quantity, scene)?);
+    }
+    let bits = bits.max((64 * words as u32 - scene.shift).saturating_sub(unused));
     if words <= FEW {
-        let mut buffer = [0; 5 * FEW];
-        evaluate(quantity, scene, bits, needed, &mut buffer[..5 * words])
+        let mut buffer = [0; 6 * FEW];
+        evaluate(quantities, scene, bits, needed, &mut buffer[..6 * words])
     } else if words <= MOST {
-        evaluate(quantity, scene, bits, needed, &mut vec![0; 5 * words])
+        evaluate(quantities, scene, bits, needed, &mut vec![0; 6 * words])
     } else {
         Err(ShellError::Outside)
     }
@@ -103,22 +107,38 @@ fn room(quantity: Quantity, scene: &Scene) -> Result<u32, ShellError> {
         .ok_or(ShellError::Outside)
 }
 
-/// As [`certified`], with five numbers' room, all 0.
-fn evaluate(
-    quantity: Quantity,
+/// As [`certified`], with six numbers' room, all 0.
+fn evaluate<const N: usize>(
+    quantities: [Quantity; N],
     scene: &Scene,
     bits: u32,
     needed: u32,
     buffer: &mut [u64],
+) -> Result<[Interval; N], ShellError> {
+    let words = buffer.len() / 6;
+    let (y, work) = buffer.split_at_mut(words);
+    let ulps = series::sum(scene, bits, y, work)?;
+    let (x, work) = work.split_at_mut(words);
+    each(quantities, |quantity| {
+        x.copy_from_slice(y);
+        let mut sum = Enclosed {
+            integer: 0,
+            x: &mut *x,
+            ulps,
+        };
+        sum.shift(scene.shift);
+        one(quantity, scene, sum, needed, work)
+    })
+}
+
+/// A quantity from x, with four numbers' room.
+fn one(
+    quantity: Quantity,
+    scene: &Scene,
+    mut sum: Enclosed,
+    needed: u32,
+    work: &mut [u64],
 ) -> Result<Interval, ShellError> {
-    let (x, work) = buffer.split_at_mut(buffer.len() / 5);
-    let ulps = series::sum(scene, bits, x, work)?;
-    let mut sum = Enclosed {
-        integer: 0,
-        x,
-        ulps,
-    };
-    sum.shift(scene.shift);
     if quantity != Quantity::Variance {
         sum.integer += 1;
     }
