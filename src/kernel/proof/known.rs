@@ -109,7 +109,7 @@ impl Proof<'_> {
     /// numbers they are.
     fn polynomial(&self, e: &Formula, names: &[&Name]) -> Known {
         match e {
-            Formula::Name(name) if names.contains(&name) => Ok(true),
+            Formula::Name(name) => Ok(names.contains(&name) || self.finite(e)?),
             Formula::Negate(a) => self.polynomial(a, names),
             Formula::Binary(Operator::Add | Operator::Subtract | Operator::Multiply, a, b) => {
                 all!(self.polynomial(a, names), self.polynomial(b, names))
@@ -347,21 +347,10 @@ impl Proof<'_> {
         })
     }
 
-    /// Whether two formulas have the same value: written alike, finite and equal as rational
-    /// functions, or equal by a fact in sight.
+    /// Whether two formulas have the same value: written alike, or finite with the difference 0.
     pub(super) fn equal(&self, a: &Formula, b: &Formula) -> Known {
-        if a == b {
-            return Ok(true);
-        }
-        let rational = || self.normal(a)?.minus(&self.normal(b)?, &self.fuel);
-        if self.finite(a)? && self.finite(b)? && rational().is_ok_and(|d| d.is_zero()) {
-            return Ok(true);
-        }
-        let (there, back) = (
-            Fact::Same(a.clone(), b.clone()),
-            Fact::Same(b.clone(), a.clone()),
-        );
-        Ok(self.sees_fact(&there)? || self.sees_fact(&back)?)
+        let difference = Formula::binary(Operator::Subtract, a.clone(), b.clone());
+        Ok(a == b || self.zero(&difference)?)
     }
 
     /// Whether the formula has no value: it divides by 0, takes `ln` of what is not positive, a
