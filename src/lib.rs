@@ -71,7 +71,7 @@
 //! assert!(report.as_expected);
 //! # }
 //! ~~~
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 pub mod book;
 pub mod formula;
@@ -87,6 +87,8 @@ pub mod judge;
 pub mod model;
 #[cfg(feature = "engine")]
 pub mod number;
+#[cfg(feature = "engine")]
+pub mod probe;
 #[cfg(feature = "engine")]
 pub mod prover;
 #[cfg(feature = "engine")]

@@ -5,7 +5,8 @@
 //! the function is zero exactly when its numerator is.
 
 use super::{AlgebraError, Monomial, Polynomial, Symbol};
-use crate::formula::Budget;
+use crate::formula::{Budget, Formula, Operator};
+use crate::number::convert::to_rug;
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -53,6 +54,37 @@ impl RationalFunction {
     /// An indeterminate.
     pub fn symbol(symbol: &Symbol) -> RationalFunction {
         Polynomial::symbol(symbol).into()
+    }
+
+    /// A formula of field operations and integer powers on names and pi; `None` for any other.
+    ///
+    /// # Errors
+    /// [`AlgebraError`], a division by 0 among them.
+    pub fn from_formula(formula: &Formula, budget: &Budget) -> Result<Option<Self>, AlgebraError> {
+        budget.spend(1)?;
+        let inner = |formula: &Formula| Self::from_formula(formula, budget);
+        Ok(match formula {
+            Formula::Number(value) => Some(Self::constant(to_rug(value))),
+            Formula::Pi => Some(Self::symbol(&"pi".into())),
+            Formula::Name(name) => Some(Self::symbol(name)),
+            Formula::Negate(value) => inner(value)?.map(|value| value.neg()),
+            Formula::Binary(operator, left, right) => {
+                let (Some(left), Some(right)) = (inner(left)?, inner(right)?) else {
+                    return Ok(None);
+                };
+                match operator {
+                    Operator::Add => Some(left.add(&right, budget)?),
+                    Operator::Subtract => Some(left.sub(&right, budget)?),
+                    Operator::Multiply => Some(left.mul(&right, budget)?),
+                    Operator::Divide => Some(left.div(&right, budget)?),
+                    Operator::Power => match right.as_integer() {
+                        Some(exponent) => Some(left.powi(exponent, budget)?),
+                        None => None,
+                    },
+                }
+            }
+            _ => None,
+        })
     }
 
     /// The numerator.

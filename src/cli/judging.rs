@@ -2,16 +2,11 @@
 
 use super::library::Library;
 use super::output::{Failure, of_run, to_stderr};
+use super::progress::Bar;
 use crate::corpus::cache::Cache;
 use crate::corpus::{self, FromCache, Options, Run};
 use crate::judge::Settings;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::sync::Once;
-use std::time::{Duration, Instant};
-
-/// A run that takes longer shows a progress bar.
-const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Which claims are judged, and how hard.
 #[derive(Debug, Args)]
@@ -71,9 +66,9 @@ impl Judging {
             },
         };
         let count = corpus::chosen(&book, &options.only).map_err(of_run)?.len();
-        let bar = Bar::new(count, self.quiet);
+        let bar = Bar::new(count, "claims", self.quiet);
         let run = corpus::run(&book, &settings, &options, |done| bar.show(done));
-        bar.bar.finish_and_clear();
+        bar.clear();
         let run = run.map_err(of_run)?;
         if !self.quiet {
             cache_notes(&run.cached)
@@ -104,36 +99,5 @@ fn reports(count: usize) -> String {
     match count {
         1 => "1 report".to_owned(),
         n => format!("{n} reports"),
-    }
-}
-
-/// A progress bar on stderr, if that is a terminal, from the second second on.
-struct Bar {
-    bar: ProgressBar,
-    quiet: bool,
-    started: Instant,
-    shown: Once,
-}
-
-impl Bar {
-    fn new(count: usize, quiet: bool) -> Bar {
-        let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::hidden());
-        let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} claims, {eta} left");
-        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        Bar {
-            bar,
-            quiet,
-            started: Instant::now(),
-            shown: Once::new(),
-        }
-    }
-
-    fn show(&self, done: usize) {
-        if !self.quiet && self.started.elapsed() > PATIENCE {
-            self.shown
-                .call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
-        }
-        // Threads may report out of order; the bar never goes back.
-        self.bar.set_position(self.bar.position().max(done as u64));
     }
 }

@@ -14,6 +14,10 @@ mod explain;
 mod judging;
 mod library;
 mod output;
+#[cfg(feature = "engine")]
+mod probe;
+#[cfg(feature = "engine")]
+mod progress;
 mod recheck;
 #[cfg(feature = "engine")]
 mod report;
@@ -42,6 +46,8 @@ enum Command {
     Explain(explain::Explain),
     #[cfg(feature = "engine")]
     Errata(errata::Errata),
+    #[cfg(feature = "engine")]
+    Probe(probe::Probe),
     #[cfg(feature = "engine")]
     Report(report::Report),
     Recheck(recheck::Recheck),
@@ -100,6 +106,7 @@ fn run(command: Command) -> Result<Exit, Failure> {
         Command::Eval(eval) => eval.run(),
         Command::Explain(explain) => explain.run(),
         Command::Errata(errata) => errata.run(),
+        Command::Probe(probe) => probe.run(),
         Command::Report(report) => report.run(),
         Command::Recheck(recheck) => recheck.run(),
     }

@@ -6,11 +6,13 @@
 //! an error value or `None`, never a guess.
 
 pub mod convert;
+mod double;
 mod exact;
 pub mod fixed;
 mod interval;
 mod refine;
 
+pub use double::Double;
 pub use exact::{Exact, ExactError};
 pub use interval::{DomainError, Interval};
 pub use refine::{Refined, refine};

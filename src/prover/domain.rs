@@ -7,8 +7,7 @@
 
 use super::Reason;
 use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
-use crate::formula::{Budget, Condition, Formula, Operator, ParameterKind, Proposition, Relation};
-use crate::number::convert::to_rug;
+use crate::formula::{Budget, Condition, Formula, ParameterKind, Proposition, Relation};
 use rug::Rational;
 use std::collections::BTreeSet;
 
@@ -304,30 +303,8 @@ impl Shifted {
 
 /// A formula of field operations and integer powers on names, as a rational function.
 pub(super) fn plain(formula: &Formula, budget: &Budget) -> Result<RationalFunction, Reason> {
-    budget.spend(1)?;
-    let side = |formula: &Formula| plain(formula, budget);
-    match formula {
-        Formula::Number(value) => Ok(RationalFunction::constant(to_rug(value))),
-        Formula::Pi => Ok(RationalFunction::symbol(&"pi".into())),
-        Formula::Name(name) => Ok(RationalFunction::symbol(name)),
-        Formula::Negate(value) => Ok(side(value)?.neg()),
-        Formula::Binary(operator, left, right) => {
-            let (left, right) = (side(left)?, side(right)?);
-            match operator {
-                Operator::Add => Ok(left.add(&right, budget)?),
-                Operator::Subtract => Ok(left.sub(&right, budget)?),
-                Operator::Multiply => Ok(left.mul(&right, budget)?),
-                Operator::Divide => Ok(left.div(&right, budget)?),
-                Operator::Power => match right.as_integer() {
-                    Some(exponent) => Ok(left.powi(exponent, budget)?),
-                    None => Err(Reason::Unsupported("a symbolic exponent".into())),
-                },
-            }
-        }
-        _ => Err(Reason::Unsupported(
-            "a condition on more than field operations".into(),
-        )),
-    }
+    RationalFunction::from_formula(formula, budget)?
+        .ok_or_else(|| Reason::Unsupported("a condition on more than field operations".into()))
 }
 
 #[cfg(test)]

@@ -21,6 +21,8 @@ pub mod junit;
 #[cfg(feature = "engine")]
 mod latex;
 #[cfg(feature = "engine")]
+pub mod probe;
+#[cfg(feature = "engine")]
 pub mod sarif;
 #[cfg(feature = "engine")]
 mod tally;

@@ -11,6 +11,7 @@
 //!
 //! [`DomainError`]: crate::number::DomainError
 
+pub mod doubles;
 mod family;
 mod gamma_quotient;
 mod hyp2f1;

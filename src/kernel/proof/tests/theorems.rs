@@ -286,8 +286,9 @@ fn a_law_that_is_not_given() {
         assert!(flaw.to_string().contains(why), "{says}: {flaw}");
     }
     let finite = |law: &str, says: &str, e: &str| {
-        let text =
-            format!("given real j\ngiven int n\ndomain 0 <= n\ndraw X ~ {law}\ndraw Y ~ any\ndraw Z ~ beta(2, 2)\nsays {says}");
+        let text = format!(
+            "given real j\ngiven int n\ndomain 0 <= n\ndraw X ~ {law}\ndraw Y ~ any\ndraw Z ~ beta(2, 2)\nsays {says}"
+        );
         let proposition = parse_proposition(&text).expect(&text);
         let fact = Fact::parse(&format!("finite {e}")).expect(e);
         Proof::new(&proposition)

@@ -1,0 +1,296 @@
+//! What is asked of a photon: an expression over the model, seen as doubles for many photons at once
+//! or as intervals of any precision for one.
+
+use crate::algebra::{AlgebraError, Polynomial, RationalFunction, Symbol};
+use crate::formula::{Budget, Formula, Function, Name, Operator, Part, free_names};
+use rug::Rational;
+
+/// A number of the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Variable {
+    /// k
+    Photon,
+    /// l
+    Position,
+    /// m
+    Count,
+    /// E_k - 1
+    Excess,
+    /// Var_k
+    Variance,
+}
+
+/// The names of the language, and what they stand for. The volume of a shell is its number of photons, and
+/// the volume inside is `k - l`.
+const NAMES: [(&str, &str); 7] = [
+    ("k", "k"),
+    ("l", "l"),
+    ("m", "m"),
+    ("Va", "k - l"),
+    ("V", "m"),
+    ("E_k", "1 + e"),
+    ("Var_k", "v"),
+];
+
+/// Symbols of the algebra, with the numbers they are.
+const SYMBOLS: [(&str, Variable); 5] = [
+    ("k", Variable::Photon),
+    ("l", Variable::Position),
+    ("m", Variable::Count),
+    ("e", Variable::Excess),
+    ("v", Variable::Variance),
+];
+
+/// An expression over the model.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Expression {
+    Number(Rational),
+    Variable(Variable),
+    Sum(Vec<Expression>),
+    Product(Vec<Expression>),
+    /// n >= 1
+    Power(Box<Expression>, u32),
+    Reciprocal(Box<Expression>),
+    Call(Function, Vec<Expression>),
+}
+
+/// A kind of numbers in which expressions are valued. What has no value, or may have none, is all reals.
+pub(super) trait Arithmetic {
+    type Value;
+    fn number(&self, value: &Rational) -> Self::Value;
+    fn variable(&self, variable: Variable) -> Self::Value;
+    fn plus(&self, a: Self::Value, b: Self::Value) -> Self::Value;
+    fn times(&self, a: Self::Value, b: Self::Value) -> Self::Value;
+    fn power(&self, a: Self::Value, n: u32) -> Self::Value;
+    fn reciprocal(&self, a: Self::Value) -> Self::Value;
+    fn call(&self, function: Function, arguments: Vec<Self::Value>) -> Self::Value;
+}
+
+/// Why a formula cannot be asked for.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NotAsked {
+    /// A name that the model has not.
+    #[error("`{0}` is no number of the model")]
+    UnknownName(Name),
+    /// No arithmetic for it here.
+    #[error("cannot probe {0}")]
+    Unsupported(String),
+}
+
+impl Expression {
+    /// An expression that has the formula's value wherever it has one. Where it is made of field operations only, it is
+    /// put into lowest terms over `E_k - 1`, so that `E_k - 1 - 1/k^2` does not pass through `1 + (E_k - 1)`.
+    pub(super) fn new(formula: &Formula) -> Result<Expression, NotAsked> {
+        if let Some(name) = free_names(formula)
+            .into_iter()
+            .find(|name| !NAMES.iter().any(|(known, _)| **known == **name))
+        {
+            return Err(NotAsked::UnknownName(name));
+        }
+        match rational(formula) {
+            Some(function) => Ok(Expression::of_function(&function)),
+            None => Expression::of_formula(formula),
+        }
+    }
+
+    fn of_function(function: &RationalFunction) -> Expression {
+        let mut factors = vec![Expression::of_polynomial(function.numerator())];
+        for (atom, exponent) in function.denominator() {
+            let below = Expression::Reciprocal(Box::new(Expression::of_polynomial(atom)));
+            factors.push(raised(below, *exponent));
+        }
+        one_or(Expression::Product, factors)
+    }
+
+    fn of_polynomial(polynomial: &Polynomial) -> Expression {
+        let term = |(monomial, coefficient): (&crate::algebra::Monomial, &Rational)| {
+            let mut factors = vec![];
+            if *coefficient != 1 || monomial.is_one() {
+                factors.push(Expression::Number(coefficient.clone()));
+            }
+            for (symbol, exponent) in monomial.powers() {
+                let known = SYMBOLS.iter().find(|(name, _)| **name == **symbol);
+                if let Some((_, variable)) = known {
+                    factors.push(raised(Expression::Variable(*variable), *exponent));
+                }
+            }
+            one_or(Expression::Product, factors)
+        };
+        let terms: Vec<Expression> = polynomial.terms().map(term).collect();
+        match terms.is_empty() {
+            true => Expression::Number(Rational::new()),
+            false => one_or(Expression::Sum, terms),
+        }
+    }
+
+    fn of_formula(formula: &Formula) -> Result<Expression, NotAsked> {
+        let inner = |formula: &Formula| Expression::new(formula);
+        Ok(match formula {
+            Formula::Negate(a) => minus(inner(a)?),
+            Formula::Binary(Operator::Add, a, b) => Expression::Sum(vec![inner(a)?, inner(b)?]),
+            Formula::Binary(Operator::Subtract, a, b) => {
+                Expression::Sum(vec![inner(a)?, minus(inner(b)?)])
+            }
+            Formula::Binary(Operator::Multiply, a, b) => {
+                Expression::Product(vec![inner(a)?, inner(b)?])
+            }
+            Formula::Binary(Operator::Divide, a, b) => {
+                Expression::Product(vec![inner(a)?, Expression::Reciprocal(Box::new(inner(b)?))])
+            }
+            Formula::Binary(Operator::Power, a, n) => power(inner(a)?, n)?,
+            Formula::Call(
+                function @ (Function::Abs
+                | Function::Sqrt
+                | Function::Ln
+                | Function::Exp
+                | Function::Min
+                | Function::Max),
+                parts,
+            ) => Expression::Call(
+                *function,
+                parts.iter().map(inner).collect::<Result<_, _>>()?,
+            ),
+            other => return Err(NotAsked::Unsupported(format!("`{other}`"))),
+        })
+    }
+
+    /// Whether the expression may be 0: it is no power product of k, l and m.
+    fn may_vanish(&self) -> bool {
+        match self {
+            Expression::Number(value) => *value == 0,
+            Expression::Variable(Variable::Photon | Variable::Position | Variable::Count) => false,
+            Expression::Product(parts) => parts.iter().any(Expression::may_vanish),
+            Expression::Power(a, _) => a.may_vanish(),
+            _ => true,
+        }
+    }
+
+    /// Whether the expression depends on E_k, or on Var_k.
+    pub(super) fn needs(&self, wanted: Variable) -> bool {
+        match self {
+            Expression::Number(_) => false,
+            Expression::Variable(variable) => *variable == wanted,
+            Expression::Sum(parts) | Expression::Product(parts) | Expression::Call(_, parts) => {
+                parts.iter().any(|part| part.needs(wanted))
+            }
+            Expression::Power(a, _) | Expression::Reciprocal(a) => a.needs(wanted),
+        }
+    }
+
+    /// The value in an arithmetic.
+    pub(super) fn value<A: Arithmetic>(&self, numbers: &A) -> A::Value {
+        let all = |parts: &[Expression], f: fn(&A, A::Value, A::Value) -> A::Value| {
+            let values = parts.iter().map(|part| part.value(numbers));
+            values.reduce(|a, b| f(numbers, a, b))
+        };
+        match self {
+            Expression::Number(value) => numbers.number(value),
+            Expression::Variable(variable) => numbers.variable(*variable),
+            Expression::Sum(parts) => {
+                all(parts, A::plus).unwrap_or_else(|| numbers.number(&Rational::new()))
+            }
+            Expression::Product(parts) => {
+                all(parts, A::times).unwrap_or_else(|| numbers.number(&Rational::from(1)))
+            }
+            Expression::Power(a, n) => numbers.power(a.value(numbers), *n),
+            Expression::Reciprocal(a) => numbers.reciprocal(a.value(numbers)),
+            Expression::Call(function, parts) => {
+                let values = parts.iter().map(|part| part.value(numbers)).collect();
+                numbers.call(*function, values)
+            }
+        }
+    }
+}
+
+/// The formula over the symbols of the algebra, where it is made of field operations.
+fn rational(formula: &Formula) -> Option<RationalFunction> {
+    let budget = Budget::new(100_000);
+    let function = RationalFunction::from_formula(formula, &budget).ok()??;
+    // Names and symbols share letters, but no name is the symbol of another's meaning: all at once.
+    let meanings = NAMES.map(|(name, meaning)| {
+        let meaning = crate::formula::parse_formula(meaning).ok()?;
+        let meaning = RationalFunction::from_formula(&meaning, &budget).ok()??;
+        Some((Symbol::from(name), meaning))
+    });
+    meanings.into_iter().try_fold(function, |function, pair| {
+        let (name, meaning) = pair?;
+        substituted(&function, &name, &meaning, &budget).ok()
+    })
+}
+
+fn substituted(
+    function: &RationalFunction,
+    name: &Symbol,
+    meaning: &RationalFunction,
+    budget: &Budget,
+) -> Result<RationalFunction, AlgebraError> {
+    function.substitute(name, meaning, budget)
+}
+
+/// Whatever the formula divides by that may be 0 for some photon: its parts themselves, before anything
+/// cancels. Powers of k, l and m are left out.
+pub(super) fn divisors(formula: &Formula) -> Result<Vec<Expression>, NotAsked> {
+    let mut found = vec![];
+    let mut failed = None;
+    Part::Formula(formula).each(&mut |part, _| {
+        let divisor = match part {
+            Part::Formula(Formula::Binary(Operator::Divide, _, b)) => b,
+            // An exponent as written in digits is not negative.
+            Part::Formula(Formula::Binary(Operator::Power, a, n))
+                if !matches!(**n, Formula::Number(_)) =>
+            {
+                a
+            }
+            _ => return,
+        };
+        match Expression::new(divisor) {
+            Ok(expression) if expression.may_vanish() => found.push(expression),
+            Ok(_) => {}
+            Err(error) => failed = Some(error),
+        }
+    });
+    failed.map_or(Ok(found), Err)
+}
+
+fn minus(a: Expression) -> Expression {
+    Expression::Product(vec![Expression::Number(Rational::from(-1)), a])
+}
+
+/// a^n for an integer or half an odd integer n.
+fn power(a: Expression, exponent: &Formula) -> Result<Expression, NotAsked> {
+    let refused = || NotAsked::Unsupported(format!("the exponent `{exponent}`"));
+    let function = rational(exponent).ok_or_else(refused)?;
+    let value = function.as_constant().ok_or_else(refused)?;
+    let (top, half) = match value.denom().to_u32() {
+        Some(1) => (value.numer().to_i32(), false),
+        Some(2) => (value.numer().to_i32(), true),
+        _ => (None, false),
+    };
+    let top = top.ok_or_else(refused)?;
+    let base = match half {
+        true => Expression::Call(Function::Sqrt, vec![a]),
+        false => a,
+    };
+    Ok(match top {
+        0 => Expression::Number(Rational::from(1)),
+        n if n > 0 => raised(base, n.unsigned_abs()),
+        n => Expression::Reciprocal(Box::new(raised(base, n.unsigned_abs()))),
+    })
+}
+
+fn raised(a: Expression, n: u32) -> Expression {
+    match n {
+        1 => a,
+        _ => Expression::Power(Box::new(a), n),
+    }
+}
+
+fn one_or(make: fn(Vec<Expression>) -> Expression, mut parts: Vec<Expression>) -> Expression {
+    match (parts.len(), parts.pop()) {
+        (1, Some(only)) => only,
+        (_, last) => {
+            parts.extend(last);
+            make(parts)
+        }
+    }
+}

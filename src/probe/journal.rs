@@ -1,0 +1,212 @@
+//! The journal of a probe: a text file with the question and a line for each chunk that is done. A run that was
+//! killed goes on from there, and journals of shards add up.
+
+use super::{Question, Summary};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// The first line.
+#[derive(Debug, Serialize, Deserialize)]
+struct Head {
+    probe: Question,
+    /// The program that wrote it: another may cut chunks differently.
+    version: String,
+}
+
+/// Any other line.
+#[derive(Debug, Serialize, Deserialize)]
+struct Line {
+    chunk: u64,
+    found: Summary,
+}
+
+/// The chunks of a question that are done.
+#[derive(Debug)]
+pub struct Journal {
+    path: PathBuf,
+    file: Option<File>,
+    question: Question,
+    done: BTreeMap<u64, Summary>,
+}
+
+/// Why a journal cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// It cannot be read or written.
+    #[error("{path}: {error}")]
+    File { path: PathBuf, error: io::Error },
+    /// It is no journal.
+    #[error("{path}:{line}: no journal of a probe")]
+    Foreign { path: PathBuf, line: usize },
+    /// It asks something else, or was written by another version.
+    #[error("{path} is the journal of another question")]
+    Other { path: PathBuf },
+}
+
+fn head(question: &Question) -> Head {
+    Head {
+        probe: question.clone(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+    }
+}
+
+fn text(line: &impl Serialize) -> io::Result<String> {
+    Ok(serde_json::to_string(line)? + "\n")
+}
+
+impl Journal {
+    /// A journal kept in memory only.
+    pub fn unwritten(question: &Question) -> Journal {
+        Journal {
+            path: PathBuf::new(),
+            file: None,
+            question: question.clone(),
+            done: BTreeMap::new(),
+        }
+    }
+
+    /// The journal of this question in a file: what is there already, and more to come.
+    ///
+    /// # Errors
+    /// [`JournalError`]. A last line that a killed run left unfinished is no error: it is written anew.
+    pub fn open(path: &Path, question: &Question) -> Result<Journal, JournalError> {
+        let failed = |error| JournalError::File {
+            path: path.to_owned(),
+            error,
+        };
+        let known = match std::fs::read(path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => vec![],
+            read => read.map_err(failed)?,
+        };
+        let whole = known
+            .iter()
+            .rposition(|&byte| byte == b'\n')
+            .map_or(0, |at| at + 1);
+        // A killed run may have left a part of the first line.
+        let mut journal = match text(&head(question))
+            .map_err(failed)?
+            .as_bytes()
+            .starts_with(&known)
+        {
+            true => Journal::unwritten(question),
+            false => Journal::read(path)?,
+        };
+        if journal.question != *question {
+            return Err(JournalError::Other {
+                path: path.to_owned(),
+            });
+        }
+        let options = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(path);
+        let mut file = options.map_err(failed)?;
+        file.set_len(whole as u64).map_err(failed)?;
+        file.seek(SeekFrom::End(0)).map_err(failed)?;
+        path.clone_into(&mut journal.path);
+        journal.file = Some(file);
+        if whole == 0 {
+            journal.write(&head(question))?;
+        }
+        Ok(journal)
+    }
+
+    /// Reads a finished or unfinished journal.
+    ///
+    /// # Errors
+    /// [`JournalError`]
+    pub fn read(path: &Path) -> Result<Journal, JournalError> {
+        let failed = |error| JournalError::File {
+            path: path.to_owned(),
+            error,
+        };
+        let foreign = |line| JournalError::Foreign {
+            path: path.to_owned(),
+            line,
+        };
+        let mut reader = BufReader::new(File::open(path).map_err(failed)?);
+        let mut text = String::new();
+        reader.read_line(&mut text).map_err(failed)?;
+        let Head { probe, version } = serde_json::from_str(&text).map_err(|_| foreign(1))?;
+        if version != env!("CARGO_PKG_VERSION") {
+            return Err(JournalError::Other {
+                path: path.to_owned(),
+            });
+        }
+        let mut journal = Journal::unwritten(&probe);
+        path.clone_into(&mut journal.path);
+        for number in 2.. {
+            text.clear();
+            reader.read_line(&mut text).map_err(failed)?;
+            if !text.ends_with('\n') {
+                break;
+            }
+            let Line { chunk, found } = serde_json::from_str(&text).map_err(|_| foreign(number))?;
+            journal.done.insert(chunk, found);
+        }
+        Ok(journal)
+    }
+
+    fn write(&mut self, line: &impl Serialize) -> Result<(), JournalError> {
+        let Some(file) = &mut self.file else {
+            return Ok(());
+        };
+        // One write: a line is there or not.
+        let written = text(line).and_then(|line| file.write_all(line.as_bytes()));
+        written.map_err(|error| JournalError::File {
+            path: self.path.clone(),
+            error,
+        })
+    }
+
+    /// Takes in a chunk.
+    ///
+    /// # Errors
+    /// `File` where it cannot be written; it counts as done all the same.
+    pub fn add(&mut self, chunk: u64, found: Summary) -> Result<(), JournalError> {
+        let line = Line { chunk, found };
+        let written = self.write(&line);
+        self.done.insert(chunk, line.found);
+        written
+    }
+
+    /// What is asked.
+    pub fn question(&self) -> &Question {
+        &self.question
+    }
+
+    /// Whether a chunk is done.
+    pub fn has(&self, chunk: u64) -> bool {
+        self.done.contains_key(&chunk)
+    }
+
+    /// How many chunks are done.
+    pub fn done(&self) -> u64 {
+        self.done.len() as u64
+    }
+
+    /// Takes in the chunks of another journal.
+    ///
+    /// # Errors
+    /// `Other` where that asks something else.
+    pub fn join(&mut self, other: Journal) -> Result<(), JournalError> {
+        if other.question != self.question {
+            return Err(JournalError::Other { path: other.path });
+        }
+        self.done.extend(other.done);
+        Ok(())
+    }
+
+    /// All chunks that are done as one, the same whatever order they were done in.
+    pub fn summary(&self) -> Summary {
+        let mut all = Summary::default();
+        for found in self.done.values() {
+            all.merge(found);
+        }
+        all
+    }
+}

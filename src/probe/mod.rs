@@ -1,0 +1,463 @@
+//! Certified sweeps: what a quantity does, and whether a claim holds, for every k of a long range of photons.
+//!
+//! A [`Probe`] asks a layout for all photons `first..=last`: the extremes of a quantity, and for each link of a claim
+//! its least margin and every violation. Doubles with proved bounds ([`crate::special::doubles`]) decide nearly all
+//! photons; the others are done again one by one with as many digits as it takes. So every verdict is proved,
+//! for the range; what stays open is counted as undecided.
+//!
+//! The range is cut into chunks that depend on nothing but the range; each comes to a [`Summary`], and these
+//! add up in any order. So threads, runs that are resumed and shards on several machines give the same
+//! result to the byte.
+//!
+//! ```
+//! use claimcheck::probe::{Probe, Question};
+//! let probe = Probe::new(Question {
+//!     layout: "triangular".into(),
+//!     first: 4,
+//!     last: 100_000,
+//!     quantity: Some("k*Var_k".into()),
+//!     claim: Some("1 + 1/k^2 < E_k < 1 + 1/k".into()),
+//! })?;
+//! let mut all = claimcheck::probe::Summary::default();
+//! for chunk in 0..probe.chunks() {
+//!     all.merge(&probe.ask(chunk)?);
+//! }
+//! assert_eq!(all.photons, 99_997);
+//! assert!(all.links.iter().all(|link| link.violations.count == 0 && link.undecided.count == 0));
+//! # Ok::<(), claimcheck::probe::Error>(())
+//! ```
+
+mod column;
+mod expression;
+mod journal;
+mod photon;
+mod summary;
+
+pub use expression::NotAsked;
+pub use journal::{Journal, JournalError};
+pub use summary::{Decade, Extreme, Named, Summary, Tally};
+
+use crate::formula::{
+    Diagnostic, Formula, Operator, Relation, Statement, parse_formula, parse_statement,
+};
+use crate::model::Layout;
+use crate::number::{Double, Interval};
+use crate::special::doubles::{Block, Doubles, DoublesError};
+use column::Photons;
+use expression::Expression;
+use rug::Integer;
+use rug::float::Round;
+use serde::{Deserialize, Serialize};
+use std::iter;
+
+/// Photons of a chunk at least; a longer range has larger ones.
+const CHUNK: u64 = 1 << 20;
+
+/// Chunks of a range at most.
+const MOST_CHUNKS: u64 = 1 << 12;
+
+/// No photon beyond this: doubles serve shells up to the volume 2^50.
+const FARTHEST: u64 = 1_000_000_000_000_000;
+
+/// Digits to which the extremes of a quantity are told where doubles do not tell them.
+const DIGITS: u32 = 15;
+
+/// What is asked, as it was written.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Question {
+    /// `triangular`, `listing`, `one`, or the shells' numbers of photons: `5,7,9`.
+    pub layout: String,
+    /// The first and the last k.
+    pub first: u64,
+    pub last: u64,
+    /// A formula over k, l, m, Va, V, E_k and Var_k.
+    pub quantity: Option<String>,
+    /// A chain of inequalities over the same.
+    pub claim: Option<String>,
+}
+
+/// Why there is nothing to ask, or no answer.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum Error {
+    /// No such layout.
+    #[error("`{0}` is no layout")]
+    Layout(String),
+    /// The range is empty or reaches too far.
+    #[error("k = {0}..{1} is no range between 1 and 10^15")]
+    Range(u64, u64),
+    /// The text of the quantity or the claim does not parse.
+    #[error("{diagnostic}")]
+    Syntax {
+        /// `--quantity` or `--claim`
+        option: &'static str,
+        text: String,
+        diagnostic: Diagnostic,
+    },
+    /// The claim is no chain of `<`, `<=`, `>`, `>=`, `==` and `!=`.
+    #[error("a claim about photons is a chain of `<`, `<=`, `>`, `>=`, `==` or `!=`")]
+    NoChain,
+    /// A part of it cannot be asked for.
+    #[error(transparent)]
+    NotAsked(#[from] NotAsked),
+    /// A shell is out of reach.
+    #[error(transparent)]
+    Doubles(#[from] DoublesError),
+}
+
+/// A question, ready to be asked.
+#[derive(Clone, Debug)]
+pub struct Probe {
+    question: Question,
+    layout: Layout,
+    quantity: Option<Expression>,
+    links: Vec<Link>,
+}
+
+/// A link of the claim: what its difference must be.
+#[derive(Clone, Debug)]
+struct Link {
+    text: String,
+    /// The larger side less the smaller one.
+    difference: Expression,
+    wanted: Wanted,
+    /// Divisors of both sides: where one is 0 a side has no value.
+    divisors: Vec<Expression>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wanted {
+    Positive,
+    NotNegative,
+    Zero,
+    NotZero,
+}
+
+impl Wanted {
+    /// Whether a number in the interval is as wanted, where that can be told.
+    fn holds(self, x: Double) -> Option<bool> {
+        let told = |yes: bool, no: bool| match (yes, no) {
+            (true, _) => Some(true),
+            (_, true) => Some(false),
+            _ => None,
+        };
+        let apart = x.low > 0.0 || x.high < 0.0;
+        let zero = x.low == 0.0 && x.high == 0.0;
+        match self {
+            Wanted::Positive => told(x.low > 0.0, x.high <= 0.0),
+            Wanted::NotNegative => told(x.low >= 0.0, x.high < 0.0),
+            Wanted::Zero => told(zero, apart),
+            Wanted::NotZero => told(apart, zero),
+        }
+    }
+}
+
+impl Probe {
+    /// # Errors
+    /// [`Error`]; all that is wrong with the question, before anything is computed.
+    pub fn new(question: Question) -> Result<Probe, Error> {
+        let layout = layout(&question.layout)?;
+        if question.first < 1 || question.first > question.last || question.last > FARTHEST {
+            return Err(Error::Range(question.first, question.last));
+        }
+        let quantity = match &question.quantity {
+            Some(text) => {
+                let formula = parse_formula(text).map_err(|e| syntax("--quantity", text, e))?;
+                Some(Expression::new(&formula)?)
+            }
+            None => None,
+        };
+        let links = match &question.claim {
+            Some(text) => links_of(parse_statement(text).map_err(|e| syntax("--claim", text, e))?)?,
+            None => vec![],
+        };
+        Ok(Probe {
+            question,
+            layout,
+            quantity,
+            links,
+        })
+    }
+
+    /// What is asked.
+    pub fn question(&self) -> &Question {
+        &self.question
+    }
+
+    /// The links of the claim, as text.
+    pub fn links(&self) -> impl Iterator<Item = &str> {
+        self.links.iter().map(|link| link.text.as_str())
+    }
+
+    fn chunk_size(&self) -> u64 {
+        let photons = self.question.last - self.question.first + 1;
+        photons.div_ceil(MOST_CHUNKS).max(CHUNK)
+    }
+
+    /// The number of chunks.
+    pub fn chunks(&self) -> u64 {
+        (self.question.last - self.question.first + 1).div_ceil(self.chunk_size())
+    }
+
+    /// Asks the photons of one chunk.
+    ///
+    /// # Errors
+    /// `Doubles` where a shell is out of reach.
+    pub fn ask(&self, chunk: u64) -> Result<Summary, Error> {
+        let first = self.question.first + chunk * self.chunk_size();
+        let last = self.question.last.min(first + (self.chunk_size() - 1));
+        let mut summary = Summary {
+            links: vec![Tally::default(); self.links.len()],
+            ..Summary::default()
+        };
+        let mut doubles = Doubles::new(&self.layout, first, last)?;
+        while let Some(block) = doubles.next_block()? {
+            self.ask_block(&block, &mut summary);
+        }
+        Ok(summary)
+    }
+
+    fn ask_block(&self, block: &Block, summary: &mut Summary) {
+        let mut start = 0;
+        while start < block.excess.len() {
+            let first = block.first + start as u64;
+            let decade = first.ilog10();
+            let next = 10u64.pow(decade + 1);
+            let end = block.excess.len().min(start + (next - first) as usize);
+            let photons = Photons {
+                first,
+                position: if block.size == 1 {
+                    None
+                } else {
+                    Some(first - block.inner)
+                },
+                count: block.size,
+                excess: &block.excess[start..end],
+                variance: &block.variance[start..end],
+                excess_bound: block.bounds.excess,
+                variance_bound: block.bounds.variance,
+            };
+            summary.photons += (end - start) as u64;
+            let decade = summary.decades.entry(decade).or_default();
+            decade.photons += (end - start) as u64;
+            Asked {
+                probe: self,
+                photons: &photons,
+                decade,
+                refined: &mut summary.refined,
+                infinite: &mut summary.infinite,
+            }
+            .ask(&mut summary.links);
+            start = end;
+        }
+    }
+
+    /// The value of the quantity, or of a link's difference, at a photon: for a person to read.
+    pub fn value(&self, link: Option<usize>, k: u64) -> Option<Interval> {
+        let expression = match link {
+            Some(index) => &self.links.get(index)?.difference,
+            None => self.quantity.as_ref()?,
+        };
+        let shell = self.layout.shell(&Integer::from(k))?;
+        photon::value(expression, &shell, DIGITS)
+    }
+}
+
+/// Neighbours of one decade, being asked.
+struct Asked<'a> {
+    probe: &'a Probe,
+    photons: &'a Photons<'a>,
+    decade: &'a mut Decade,
+    refined: &'a mut u64,
+    infinite: &'a mut u64,
+}
+
+impl Asked<'_> {
+    fn ask(&mut self, tallies: &mut [Tally]) {
+        if let Some(quantity) = &self.probe.quantity {
+            self.ask_quantity(quantity);
+        }
+        for (number, (link, tally)) in self.probe.links.iter().zip(tallies).enumerate() {
+            self.ask_link(number, link, tally);
+        }
+    }
+
+    fn ask_quantity(&mut self, quantity: &Expression) {
+        let column = quantity.value(self.photons).ends(self.photons.excess.len());
+        if column.least().is_finite() && column.greatest().is_finite() {
+            let (least, greatest) = (column.where_least(), column.where_greatest());
+            self.decade
+                .take_least(self.extreme(least, column.at(least)));
+            self.decade
+                .take_greatest(self.extreme(greatest, column.at(greatest)));
+            return;
+        }
+        for index in 0..self.photons.excess.len() {
+            let mut value = column.at(index);
+            if !is_finite(value) {
+                let found = |shell: &_| photon::value(quantity, shell, DIGITS);
+                match self.refine(index, found) {
+                    Some(finer) if is_finite(finer) => value = finer,
+                    _ => continue,
+                }
+            }
+            let extreme = self.extreme(index, value);
+            self.decade.take_least(extreme);
+            self.decade.take_greatest(extreme);
+        }
+    }
+
+    fn ask_link(&mut self, number: usize, link: &Link, tally: &mut Tally) {
+        let column = link
+            .difference
+            .value(self.photons)
+            .ends(self.photons.excess.len());
+        let positive = column.least() > 0.0 && column.greatest().is_finite();
+        if link.wanted == Wanted::Positive && link.divisors.is_empty() && positive {
+            // The usual case: it holds for all.
+            let least = column.where_least();
+            self.decade
+                .take_margin(number, self.extreme(least, column.at(least)));
+            return;
+        }
+        let divisors: Vec<_> = link
+            .divisors
+            .iter()
+            .map(|divisor| divisor.value(self.photons).ends(self.photons.excess.len()))
+            .collect();
+        for index in 0..self.photons.excess.len() {
+            let k = self.photons.first + index as u64;
+            let mut value = column.at(index);
+            let mut divided = divisors.iter().map(|d| d.at(index)).all(nonzero);
+            if link.wanted.holds(value).is_none() || !divided {
+                let Some(finer) =
+                    self.refine(index, |shell| photon::signed(&link.difference, shell))
+                else {
+                    continue;
+                };
+                value = finer;
+                divided = link.divisors.iter().all(|divisor| {
+                    self.shell(index)
+                        .and_then(|shell| photon::signed(divisor, &shell))
+                        .is_some_and(|d| nonzero(double(&d)))
+                });
+            }
+            match link.wanted.holds(value).filter(|_| divided) {
+                Some(true) => {}
+                Some(false) => tally.violations.add(k),
+                None => tally.undecided.add(k),
+            }
+            if is_finite(value) {
+                self.decade.take_margin(number, self.extreme(index, value));
+            }
+        }
+    }
+
+    fn shell(&self, index: usize) -> Option<crate::model::Shell> {
+        self.probe
+            .layout
+            .shell(&Integer::from(self.photons.first + index as u64))
+    }
+
+    /// A photon by itself; `None` where it is set aside.
+    fn refine(
+        &mut self,
+        index: usize,
+        value: impl Fn(&crate::model::Shell) -> Option<Interval>,
+    ) -> Option<Double> {
+        *self.refined += 1;
+        let found = self.shell(index).and_then(|shell| value(&shell));
+        if found.is_none() {
+            *self.infinite += 1;
+        }
+        found.map(|value| double(&value))
+    }
+
+    fn extreme(&self, index: usize, value: Double) -> Extreme {
+        Extreme {
+            k: self.photons.first + index as u64,
+            low: value.low,
+            high: value.high,
+        }
+    }
+}
+
+fn is_finite(x: Double) -> bool {
+    x.low.is_finite() && x.high.is_finite()
+}
+
+fn nonzero(x: Double) -> bool {
+    x.low > 0.0 || x.high < 0.0
+}
+
+/// Rounded outwards.
+fn double(value: &Interval) -> Double {
+    Double {
+        low: value.low().to_f64_round(Round::Down),
+        high: value.high().to_f64_round(Round::Up),
+    }
+}
+
+fn syntax(option: &'static str, text: &str, diagnostic: Diagnostic) -> Error {
+    Error::Syntax {
+        option,
+        text: text.to_owned(),
+        diagnostic,
+    }
+}
+
+fn layout(text: &str) -> Result<Layout, Error> {
+    match text {
+        "triangular" => Ok(Layout::Triangular),
+        "listing" => Ok(Layout::Listing),
+        "one" => Ok(Layout::One),
+        shells => {
+            let counts = shells
+                .split(',')
+                .map(|count| count.trim().parse().ok().filter(|&n: &u64| n > 0));
+            let counts: Option<Vec<u64>> = counts.collect();
+            counts
+                .map(Layout::Sequence)
+                .ok_or_else(|| Error::Layout(text.to_owned()))
+        }
+    }
+}
+
+fn links_of(statement: Statement) -> Result<Vec<Link>, Error> {
+    match statement {
+        Statement::Chain {
+            first,
+            links,
+            regime: None,
+        } if !links.is_empty() => {
+            let lefts = iter::once(&first).chain(links.iter().map(|(_, right)| right));
+            let pairs = lefts.zip(&links);
+            pairs
+                .map(|(left, (relation, right))| link(left, *relation, right))
+                .collect()
+        }
+        Statement::All(parts) => {
+            let parts: Result<Vec<_>, _> = parts.into_iter().map(links_of).collect();
+            Ok(parts?.into_iter().flatten().collect())
+        }
+        _ => Err(Error::NoChain),
+    }
+}
+
+fn link(left: &Formula, relation: Relation, right: &Formula) -> Result<Link, Error> {
+    let (wanted, larger, smaller) = match relation {
+        Relation::Less => (Wanted::Positive, right, left),
+        Relation::LessEqual => (Wanted::NotNegative, right, left),
+        Relation::Greater => (Wanted::Positive, left, right),
+        Relation::GreaterEqual => (Wanted::NotNegative, left, right),
+        Relation::Equal => (Wanted::Zero, right, left),
+        Relation::NotEqual => (Wanted::NotZero, right, left),
+        _ => return Err(Error::NoChain),
+    };
+    let difference = Formula::binary(Operator::Subtract, larger.clone(), smaller.clone());
+    Ok(Link {
+        text: format!("{left} {relation} {right}"),
+        difference: Expression::new(&difference)?,
+        wanted,
+        divisors: expression::divisors(&difference)?,
+    })
+}

@@ -1,0 +1,146 @@
+//! What a stretch of photons comes to. Summaries of two stretches make one of both, in whichever order.
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// No more photons than this are named for a link.
+pub const MOST_NAMED: usize = 10;
+
+/// A stretch of photons.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// How many photons were asked.
+    pub photons: u64,
+    /// How many of them doubles did not decide.
+    pub refined: u64,
+    /// How many have an infinite E_k or Var_k that is asked for: they are set aside.
+    pub infinite: u64,
+    /// By the number of digits of k, less 1.
+    pub decades: BTreeMap<u32, Decade>,
+    /// For each link of the claim.
+    pub links: Vec<Tally>,
+}
+
+/// The photons `10^n <= k < 10^(n+1)`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Decade {
+    /// How many photons.
+    pub photons: u64,
+    /// The quantity where it is least and where it is greatest.
+    pub least: Option<Extreme>,
+    pub greatest: Option<Extreme>,
+    /// For each link, the least difference of its sides.
+    pub margins: Vec<Option<Extreme>>,
+}
+
+/// The least of some numbers: it lies between `low` and `high`, and the number at k does.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Extreme {
+    pub k: u64,
+    pub low: f64,
+    pub high: f64,
+}
+
+/// How a link fared.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Tally {
+    /// Where it fails.
+    pub violations: Named,
+    /// Where no precision tried decides it.
+    pub undecided: Named,
+}
+
+/// Some photons: their number, and the first of them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Named {
+    pub count: u64,
+    pub first: Vec<u64>,
+}
+
+impl Named {
+    pub(super) fn add(&mut self, k: u64) {
+        self.merge(&Named {
+            count: 1,
+            first: vec![k],
+        });
+    }
+
+    fn merge(&mut self, other: &Named) {
+        self.count += other.count;
+        self.first.extend(&other.first);
+        self.first.sort_unstable();
+        self.first.truncate(MOST_NAMED);
+    }
+}
+
+/// The one with the smaller lower end, then the smaller k.
+fn least(a: Option<Extreme>, b: Option<Extreme>) -> Option<Extreme> {
+    let smaller = |a: Extreme, b: Extreme| {
+        if (b.low, b.k) < (a.low, a.k) { b } else { a }
+    };
+    match (a, b) {
+        (Some(a), Some(b)) => Some(smaller(a, b)),
+        (a, b) => a.or(b),
+    }
+}
+
+impl Extreme {
+    /// Of the numbers with the other sign.
+    pub(super) fn negated(self) -> Extreme {
+        Extreme {
+            k: self.k,
+            low: -self.high,
+            high: -self.low,
+        }
+    }
+}
+
+impl Decade {
+    pub(super) fn take_least(&mut self, extreme: Extreme) {
+        self.least = least(self.least, Some(extreme));
+    }
+
+    pub(super) fn take_greatest(&mut self, extreme: Extreme) {
+        let before = self.greatest.map(Extreme::negated);
+        self.greatest = least(before, Some(extreme.negated())).map(Extreme::negated);
+    }
+
+    pub(super) fn take_margin(&mut self, link: usize, extreme: Extreme) {
+        if self.margins.len() <= link {
+            self.margins.resize(link + 1, None);
+        }
+        self.margins[link] = least(self.margins[link], Some(extreme));
+    }
+
+    fn merge(&mut self, other: &Decade) {
+        self.photons += other.photons;
+        self.least = least(self.least, other.least);
+        if let Some(extreme) = other.greatest {
+            self.take_greatest(extreme);
+        }
+        for (link, margin) in other.margins.iter().enumerate() {
+            if let Some(extreme) = margin {
+                self.take_margin(link, *extreme);
+            }
+        }
+    }
+}
+
+impl Summary {
+    /// Both stretches as one.
+    pub fn merge(&mut self, other: &Summary) {
+        self.photons += other.photons;
+        self.refined += other.refined;
+        self.infinite += other.infinite;
+        for (decade, found) in &other.decades {
+            self.decades.entry(*decade).or_default().merge(found);
+        }
+        if self.links.len() < other.links.len() {
+            self.links.resize(other.links.len(), Tally::default());
+        }
+        for (tally, more) in self.links.iter_mut().zip(&other.links) {
+            tally.violations.merge(&more.violations);
+            tally.undecided.merge(&more.undecided);
+        }
+    }
+}

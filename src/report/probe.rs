@@ -1,0 +1,144 @@
+//! What a probe found, for people, as JSON and as CSV.
+
+use super::style::{FAINT, STRONG, WIDTH, paint, wrap};
+use crate::number::Interval;
+use crate::probe::{Decade, Extreme, Named, Probe, Summary};
+use rug::Float;
+use serde_json::json;
+use std::fmt::Write;
+
+/// Digits of an extreme that are printed.
+const DIGITS: usize = 6;
+
+/// What is told of each decade: a heading, and how to find it.
+struct Told {
+    heading: String,
+    of: Box<dyn Fn(&Decade) -> Option<Extreme>>,
+}
+
+fn told(probe: &Probe) -> Vec<Told> {
+    let mut all = vec![];
+    if let Some(quantity) = &probe.question().quantity {
+        all.push(Told {
+            heading: format!("least {quantity}"),
+            of: Box::new(|decade| decade.least),
+        });
+        all.push(Told {
+            heading: format!("greatest {quantity}"),
+            of: Box::new(|decade| decade.greatest),
+        });
+    }
+    for (index, link) in probe.links().enumerate() {
+        all.push(Told {
+            heading: format!("least margin of {link}"),
+            of: Box::new(move |decade| decade.margins.get(index).copied().flatten()),
+        });
+    }
+    all
+}
+
+/// The digits that both ends share.
+fn decimal(extreme: &Extreme) -> String {
+    let end = |x: f64| Float::with_val(53, x);
+    Interval::from_ends(end(extreme.low), end(extreme.high)).to_decimal(DIGITS)
+}
+
+/// A report for people.
+pub fn human(probe: &Probe, summary: &Summary) -> String {
+    let question = probe.question();
+    let mut text = format!(
+        "layout {}, k = {}..{}: {} photons, each by an enclosure; {} needed more than doubles\n",
+        question.layout, question.first, question.last, summary.photons, summary.refined
+    );
+    if summary.infinite > 0 {
+        let _ = writeln!(
+            text,
+            "{} set aside: E_k or Var_k is infinite there",
+            summary.infinite
+        );
+    }
+    if !summary.links.is_empty() {
+        text.push('\n');
+    }
+    for (link, tally) in probe.links().zip(&summary.links) {
+        let verdict = match (tally.violations.count, tally.undecided.count) {
+            (0, 0) => "holds for every k of the range".to_owned(),
+            (0, _) => format!("undecided at {}", places(&tally.undecided)),
+            (_, 0) => format!("fails at {}", places(&tally.violations)),
+            _ => format!(
+                "fails at {}; undecided at {}",
+                places(&tally.violations),
+                places(&tally.undecided)
+            ),
+        };
+        for line in wrap(&format!("{}  {verdict}", paint(STRONG, link)), WIDTH) {
+            let _ = writeln!(text, "{line}");
+        }
+        for &k in &tally.violations.first {
+            let _ = writeln!(text, "    k = {k}: {}", margin_at(probe, link, k));
+        }
+    }
+    for Told { heading, of } in told(probe) {
+        let _ = writeln!(text, "\n{}", paint(STRONG, &heading));
+        for (power, decade) in &summary.decades {
+            let Some(extreme) = of(decade) else { continue };
+            let range = format!("10^{power} <= k < 10^{}", power + 1);
+            let place = paint(FAINT, &format!("at k = {}", extreme.k));
+            let _ = writeln!(text, "  {range:<20} {:<28} {place}", decimal(&extreme));
+        }
+    }
+    text
+}
+
+fn margin_at(probe: &Probe, link: &str, k: u64) -> String {
+    let index = probe.links().position(|text| text == link);
+    let value = probe.value(index, k);
+    let margin = value.map_or("unknown".to_owned(), |value| value.to_decimal(DIGITS));
+    format!("margin {margin}")
+}
+
+/// `3 photons: k = 5, 6, 9`
+fn places(named: &Named) -> String {
+    let first: Vec<String> = named.first.iter().map(u64::to_string).collect();
+    let more = if named.count > named.first.len() as u64 {
+        ", ..."
+    } else {
+        ""
+    };
+    let noun = if named.count == 1 {
+        "photon"
+    } else {
+        "photons"
+    };
+    format!("{} {noun}: k = {}{more}", named.count, first.join(", "))
+}
+
+/// The same for programs.
+pub fn json(probe: &Probe, summary: &Summary) -> String {
+    let links: Vec<&str> = probe.links().collect();
+    let value = json!({ "question": probe.question(), "links": links, "found": summary });
+    format!("{value:#}\n")
+}
+
+/// One line a decade: its least k and number of photons, and for each thing told the enclosure and its place.
+pub fn csv(probe: &Probe, summary: &Summary) -> String {
+    let told = told(probe);
+    let mut text = "from,photons".to_owned();
+    for Told { heading, .. } in &told {
+        let _ = write!(text, ",\"{heading}: from\",to,k");
+    }
+    text.push('\n');
+    for (power, decade) in &summary.decades {
+        let _ = write!(text, "1e{power},{}", decade.photons);
+        for Told { of, .. } in &told {
+            match of(decade) {
+                Some(Extreme { k, low, high }) => {
+                    let _ = write!(text, ",{low:e},{high:e},{k}");
+                }
+                None => text.push_str(",,,"),
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
