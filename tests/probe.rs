@@ -142,6 +142,36 @@ fn identities_of_numbers_alone_and_of_functions() {
 }
 
 #[test]
+fn what_may_have_no_value_holds_nowhere() {
+    // Each has no value somewhere, and a careless enclosure of it would do.
+    for claim in [
+        "abs(ln(E_k - 2)) >= 0",
+        "exp(ln(E_k - 2)) > 0",
+        "min(ln(E_k - 2), 3) <= 3",
+        "0*ln(E_k - 2) == 0",
+        "ln(E_k - 2)/ln(E_k - 2) == 1",
+        "0*(1/(k - 5)) == 0",
+        "(1/(k - 5))^0 == 1",
+        "0*sqrt(4 - k) == 0",
+    ] {
+        let found = asked(question("triangular", (5, 5), "", claim));
+        assert_eq!(found.links[0].undecided.count, 1, "{claim}");
+    }
+    for formula in [
+        "pi",
+        "pi*k",
+        "ln(k)^0",
+        "1/(k - k)",
+        "k^k",
+        "k^(1/3)",
+        "2^(10^9)",
+    ] {
+        let refused = Probe::new(question("one", (1, 2), formula, ""));
+        assert!(matches!(refused, Err(Error::NotAsked(_))), "{formula}");
+    }
+}
+
+#[test]
 fn photons_without_a_finite_value_are_set_aside() {
     let found = asked(question("triangular", (1, 3), "", "E_k < 2"));
     assert_eq!((found.photons, found.infinite), (3, 1));

@@ -67,7 +67,7 @@ impl Column {
     }
 }
 
-/// Intervals by their ends; no end is a NaN.
+/// Intervals by their ends.
 pub(super) struct Ends {
     low: Vec<f64>,
     high: Vec<f64>,
@@ -82,7 +82,7 @@ impl Ends {
         }
     }
 
-    /// The least lower end; `+inf` of none.
+    /// The least lower end; a NaN if there is one, `+inf` of none.
     pub(super) fn least(&self) -> f64 {
         least(self.low.iter().copied())
     }
@@ -106,7 +106,7 @@ impl Ends {
 /// In lanes: a compiler must not change the order of comparisons by itself.
 fn least(values: impl Iterator<Item = f64>) -> f64 {
     const LANES: usize = 8;
-    let smaller = |a: f64, b: f64| if b < a { b } else { a };
+    let smaller = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
     let mut lanes = [f64::INFINITY; LANES];
     for (index, value) in values.enumerate() {
         let lane = &mut lanes[index % LANES];
@@ -185,7 +185,7 @@ impl Arithmetic for Photons<'_> {
 
     fn call(&self, function: Function, mut arguments: Vec<Column>) -> Column {
         let Some(last) = arguments.pop() else {
-            return Column::Same(Double::LINE);
+            return Column::Same(Double::UNKNOWN);
         };
         let all = arguments.into_iter();
         match function {
@@ -194,7 +194,7 @@ impl Arithmetic for Photons<'_> {
             Function::Min => all.fold(last, |a, b| a.zip(b, Double::smaller)),
             Function::Max => all.fold(last, |a, b| a.zip(b, Double::larger)),
             // No function of the machine's library is proved to a bound.
-            _ => Column::Same(Double::LINE),
+            _ => Column::Same(Double::UNKNOWN),
         }
     }
 }

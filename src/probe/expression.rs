@@ -1,7 +1,7 @@
 //! What is asked of a photon: an expression over the model, seen as doubles for many photons at once
 //! or as intervals of any precision for one.
 
-use crate::algebra::{AlgebraError, Polynomial, RationalFunction, Symbol};
+use crate::algebra::{Monomial, Polynomial, RationalFunction, Symbol};
 use crate::formula::{Budget, Formula, Function, Name, Operator, Part, free_names};
 use rug::Rational;
 
@@ -54,7 +54,7 @@ pub(super) enum Expression {
     Call(Function, Vec<Expression>),
 }
 
-/// A kind of numbers in which expressions are valued. What has no value, or may have none, is all reals.
+/// A kind of numbers in which expressions are valued. What may have no value is unknown, and so is all that is made of it.
 pub(super) trait Arithmetic {
     type Value;
     fn number(&self, value: &Rational) -> Self::Value;
@@ -87,40 +87,39 @@ impl Expression {
         {
             return Err(NotAsked::UnknownName(name));
         }
-        match rational(formula) {
-            Some(function) => Ok(Expression::of_function(&function)),
+        match rational(formula).as_ref().and_then(Expression::of_function) {
+            Some(expression) => Ok(expression),
             None => Expression::of_formula(formula),
         }
     }
 
-    fn of_function(function: &RationalFunction) -> Expression {
-        let mut factors = vec![Expression::of_polynomial(function.numerator())];
+    /// `None` where there are other symbols, such as pi.
+    fn of_function(function: &RationalFunction) -> Option<Expression> {
+        let mut factors = vec![Expression::of_polynomial(function.numerator())?];
         for (atom, exponent) in function.denominator() {
-            let below = Expression::Reciprocal(Box::new(Expression::of_polynomial(atom)));
+            let below = Expression::Reciprocal(Box::new(Expression::of_polynomial(atom)?));
             factors.push(raised(below, *exponent));
         }
-        one_or(Expression::Product, factors)
+        Some(one_or(Expression::Product, factors))
     }
 
-    fn of_polynomial(polynomial: &Polynomial) -> Expression {
-        let term = |(monomial, coefficient): (&crate::algebra::Monomial, &Rational)| {
+    fn of_polynomial(polynomial: &Polynomial) -> Option<Expression> {
+        let term = |(monomial, coefficient): (&Monomial, &Rational)| {
             let mut factors = vec![];
             if *coefficient != 1 || monomial.is_one() {
                 factors.push(Expression::Number(coefficient.clone()));
             }
             for (symbol, exponent) in monomial.powers() {
-                let known = SYMBOLS.iter().find(|(name, _)| **name == **symbol);
-                if let Some((_, variable)) = known {
-                    factors.push(raised(Expression::Variable(*variable), *exponent));
-                }
+                let (_, variable) = SYMBOLS.iter().find(|(name, _)| **name == **symbol)?;
+                factors.push(raised(Expression::Variable(*variable), *exponent));
             }
-            one_or(Expression::Product, factors)
+            Some(one_or(Expression::Product, factors))
         };
-        let terms: Vec<Expression> = polynomial.terms().map(term).collect();
-        match terms.is_empty() {
+        let terms: Vec<Expression> = polynomial.terms().map(term).collect::<Option<_>>()?;
+        Some(match terms.is_empty() {
             true => Expression::Number(Rational::new()),
             false => one_or(Expression::Sum, terms),
-        }
+        })
     }
 
     fn of_formula(formula: &Formula) -> Result<Expression, NotAsked> {
@@ -135,7 +134,13 @@ impl Expression {
                 Expression::Product(vec![inner(a)?, inner(b)?])
             }
             Formula::Binary(Operator::Divide, a, b) => {
-                Expression::Product(vec![inner(a)?, Expression::Reciprocal(Box::new(inner(b)?))])
+                let below = inner(b)?;
+                if below == Expression::Number(Rational::new()) {
+                    return Err(NotAsked::Unsupported(format!(
+                        "the division by 0 in `{formula}`"
+                    )));
+                }
+                Expression::Product(vec![inner(a)?, Expression::Reciprocal(Box::new(below))])
             }
             Formula::Binary(Operator::Power, a, n) => power(inner(a)?, n)?,
             Formula::Call(
@@ -214,17 +219,8 @@ fn rational(formula: &Formula) -> Option<RationalFunction> {
     });
     meanings.into_iter().try_fold(function, |function, pair| {
         let (name, meaning) = pair?;
-        substituted(&function, &name, &meaning, &budget).ok()
+        function.substitute(&name, &meaning, &budget).ok()
     })
-}
-
-fn substituted(
-    function: &RationalFunction,
-    name: &Symbol,
-    meaning: &RationalFunction,
-    budget: &Budget,
-) -> Result<RationalFunction, AlgebraError> {
-    function.substitute(name, meaning, budget)
 }
 
 /// Whatever the formula divides by that may be 0 for some photon: its parts themselves, before anything
@@ -272,7 +268,8 @@ fn power(a: Expression, exponent: &Formula) -> Result<Expression, NotAsked> {
         false => a,
     };
     Ok(match top {
-        0 => Expression::Number(Rational::from(1)),
+        // 1, but only where a has a value.
+        0 => return Err(refused()),
         n if n > 0 => raised(base, n.unsigned_abs()),
         n => Expression::Reciprocal(Box::new(raised(base, n.unsigned_abs()))),
     })

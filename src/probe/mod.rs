@@ -40,11 +40,12 @@ pub use summary::{Decade, Extreme, Named, Summary, Tally};
 use crate::formula::{
     Diagnostic, Formula, Operator, Relation, Statement, parse_formula, parse_statement,
 };
-use crate::model::Layout;
+use crate::model::{Layout, Shell};
 use crate::number::{Double, Interval};
 use crate::special::doubles::{Block, Doubles, DoublesError};
-use column::Photons;
+use column::{Ends, Photons};
 use expression::Expression;
+use photon::Found;
 use rug::Integer;
 use rug::float::Round;
 use serde::{Deserialize, Serialize};
@@ -252,13 +253,17 @@ impl Probe {
     }
 
     /// The value of the quantity, or of a link's difference, at a photon: for a person to read.
+    /// `None` where it has no finite one.
     pub fn value(&self, link: Option<usize>, k: u64) -> Option<Interval> {
         let expression = match link {
             Some(index) => &self.links.get(index)?.difference,
             None => self.quantity.as_ref()?,
         };
         let shell = self.layout.shell(&Integer::from(k))?;
-        photon::value(expression, &shell, DIGITS)
+        match photon::value(expression, &shell, DIGITS) {
+            Found::Value(value) => Some(value),
+            Found::Infinite | Found::Unknown => None,
+        }
     }
 }
 
@@ -293,10 +298,12 @@ impl Asked<'_> {
         }
         for index in 0..self.photons.excess.len() {
             let mut value = column.at(index);
-            if !is_finite(value) {
-                let found = |shell: &_| photon::value(quantity, shell, DIGITS);
-                match self.refine(index, found) {
-                    Some(finer) if is_finite(finer) => value = finer,
+            if !value.is_finite() {
+                let found = self
+                    .shell(index)
+                    .map(|shell| photon::value(quantity, &shell, DIGITS));
+                match self.refined(found) {
+                    Some(finer) if finer.is_finite() => value = finer,
                     _ => continue,
                 }
             }
@@ -319,57 +326,58 @@ impl Asked<'_> {
                 .take_margin(number, self.extreme(least, column.at(least)));
             return;
         }
-        let divisors: Vec<_> = link
+        let divisors = link
             .divisors
             .iter()
-            .map(|divisor| divisor.value(self.photons).ends(self.photons.excess.len()))
+            .map(|divisor| divisor.value(self.photons));
+        let divisors: Vec<Ends> = divisors
+            .map(|d| d.ends(self.photons.excess.len()))
             .collect();
         for index in 0..self.photons.excess.len() {
-            let k = self.photons.first + index as u64;
             let mut value = column.at(index);
-            let mut divided = divisors.iter().map(|d| d.at(index)).all(nonzero);
+            let mut divided = divisors.iter().all(|divisor| is_nonzero(divisor.at(index)));
             if link.wanted.holds(value).is_none() || !divided {
-                let Some(finer) =
-                    self.refine(index, |shell| photon::signed(&link.difference, shell))
-                else {
+                let shell = self.shell(index);
+                let found = shell
+                    .as_ref()
+                    .map(|shell| photon::signed(&link.difference, shell));
+                if found == Some(Found::Infinite) {
+                    self.refined(found);
                     continue;
-                };
-                value = finer;
-                divided = link.divisors.iter().all(|divisor| {
-                    self.shell(index)
-                        .and_then(|shell| photon::signed(divisor, &shell))
-                        .is_some_and(|d| nonzero(double(&d)))
-                });
+                }
+                value = self.refined(found).unwrap_or(Double::UNKNOWN);
+                divided = shell.is_some_and(|shell| link.divisors.iter().all(|divisor| {
+                    matches!(photon::signed(divisor, &shell), Found::Value(d) if is_nonzero(double(&d)))
+                }));
             }
+            let k = self.photons.first + index as u64;
             match link.wanted.holds(value).filter(|_| divided) {
                 Some(true) => {}
                 Some(false) => tally.violations.add(k),
                 None => tally.undecided.add(k),
             }
-            if is_finite(value) {
+            if value.is_finite() {
                 self.decade.take_margin(number, self.extreme(index, value));
             }
         }
     }
 
-    fn shell(&self, index: usize) -> Option<crate::model::Shell> {
-        self.probe
-            .layout
-            .shell(&Integer::from(self.photons.first + index as u64))
+    fn shell(&self, index: usize) -> Option<Shell> {
+        let k = self.photons.first + index as u64;
+        self.probe.layout.shell(&Integer::from(k))
     }
 
-    /// A photon by itself; `None` where it is set aside.
-    fn refine(
-        &mut self,
-        index: usize,
-        value: impl Fn(&crate::model::Shell) -> Option<Interval>,
-    ) -> Option<Double> {
+    /// Counts a photon that was asked by itself.
+    fn refined(&mut self, found: Option<Found>) -> Option<Double> {
         *self.refined += 1;
-        let found = self.shell(index).and_then(|shell| value(&shell));
-        if found.is_none() {
-            *self.infinite += 1;
+        match found? {
+            Found::Value(value) => Some(double(&value)),
+            Found::Infinite => {
+                *self.infinite += 1;
+                None
+            }
+            Found::Unknown => None,
         }
-        found.map(|value| double(&value))
     }
 
     fn extreme(&self, index: usize, value: Double) -> Extreme {
@@ -381,11 +389,7 @@ impl Asked<'_> {
     }
 }
 
-fn is_finite(x: Double) -> bool {
-    x.low.is_finite() && x.high.is_finite()
-}
-
-fn nonzero(x: Double) -> bool {
+fn is_nonzero(x: Double) -> bool {
     x.low > 0.0 || x.high < 0.0
 }
 

@@ -69,8 +69,8 @@ impl Kernel for One {
         let t = one / (k + (k - one));
         let p = t * t;
         let sum = |coefficients: [f64; 6]| {
-            let [last, rest @ ..] = coefficients.map(Wide::all);
-            rest.into_iter().fold(last, |sum, next| next + p * sum)
+            let next = |sum, next| Wide::all(next) + p * sum;
+            coefficients.into_iter().fold(Wide::all(0.0), next)
         };
         let h = t * (one + t);
         [t * (one + h * sum(SIGMA)), h * h * sum(TAU)]
