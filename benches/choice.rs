@@ -1,15 +1,13 @@
 //! The choice of a method for a photon of a shell against the best in hindsight, by counted instructions:
 //! `benches/choice.sh` runs this under callgrind. One line a call of [`measured`], in order.
 //!
-//! Arguments: how many scenes, a seed, the most digits.
+//! Arguments: how many scenes, a seed, the most digits, and how many methods are tried beside the choice, the cheapest by
+//! their estimates.
 
 use claimcheck::model::{Layout, Shell};
 use claimcheck::special::shell::{Method, Quantity, enclose};
 use rand::{RngExt, SeedableRng};
 use rug::Integer;
-
-/// How many methods are tried beside the choice: the cheapest by their estimates.
-const TRIED: usize = 3;
 
 /// No call that is expected to take more instructions than this.
 const MOST: f64 = 1e9;
@@ -28,7 +26,7 @@ fn main() {
         .skip(1)
         .filter_map(|a| a.parse::<u64>().ok());
     let mut next = |default| arguments.next().unwrap_or(default);
-    let (scenes, seed, most_digits) = (next(10), next(1), next(10_000));
+    let (scenes, seed, most_digits, tried) = (next(10), next(1), next(10_000), next(3));
     let mut random = rand_xoshiro::Xoshiro256PlusPlus::seed_from_u64(seed);
     // Even on a logarithmic scale.
     let mut between = |low: f64, high: f64| {
@@ -47,7 +45,7 @@ fn main() {
             (method.estimate(&shell, bits), bits, method)
         });
         methods.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (_, bits, method) in methods.into_iter().filter(|m| m.0 < MOST).take(TRIED) {
+        for (_, bits, method) in methods.into_iter().filter(|m| m.0 < MOST).take(tried as usize) {
             let done = measured(Some(method), quantity, &shell, bits);
             println!("{scene} {digits} {quantity:?} {k} {method:?} {done}");
         }

@@ -2,9 +2,11 @@
 # The choice among the methods for a photon of a shell against the best method in hindsight, by counted
 # instructions: median and worst ratio, and the worst ten scenes.
 #
-#   benches/choice.sh [SCENES [SEED [MOST_DIGITS]]]     needs valgrind; about 4 scenes a second
+#   benches/choice.sh [SCENES [SEED [MOST_DIGITS [TRIED]]]]     needs valgrind; about 4 scenes a second
+#
+# TRIED methods, the cheapest by their estimates, are tried in each scene: 3, or 11 for all.
 set -euo pipefail
-scenes=${1:-200} seed=${2:-1} digits=${3:-10000}
+scenes=${1:-200} seed=${2:-1} digits=${3:-10000} tried=${4:-3}
 command -v valgrind >/dev/null || { echo "valgrind is missing: apt-get install valgrind" >&2; exit 1; }
 cd "$(dirname "$0")/.."
 program=$(cargo bench --locked --bench choice --no-run 2>&1 | sed -n 's/.*(\(.*choice-[0-9a-f]*\)).*/\1/p')
@@ -14,7 +16,7 @@ trap 'rm -rf "$folder"' EXIT
 for ((done = 0; done < scenes; done += 100)); do
     part=$((scenes - done < 100 ? scenes - done : 100))
     valgrind --tool=callgrind --toggle-collect='*measured*' --dump-after=choice::measured \
-        --callgrind-out-file="$folder/out" "$program" "$part" "$((seed + done))" "$digits" \
+        --callgrind-out-file="$folder/out" "$program" "$part" "$((seed + done))" "$digits" "$tried" \
         >"$folder/calls" 2>"$folder/log"
     i=0
     while read -r line; do

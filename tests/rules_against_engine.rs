@@ -269,6 +269,25 @@ const PATTERNS: &[(&str, Pattern)] = &[
         };
         format!("1: {name}({a}, {b}, {c}) == {found} | extreme")
     }),
+    ("decide", |d| {
+        let (a, b, c) = (some(d), some(d), some(d));
+        match d.roll(2) {
+            0 => format!("1: [{a} <= {b}] == {} | decide", u8::from(a <= b)),
+            _ => {
+                let found = if a < b { c } else { c + 30 };
+                format!("1: if({a} < {b}, {c}, {}) == {found} | decide", c + 30)
+            }
+        }
+    }),
+    ("at", |d| {
+        let (a, b, c) = (some(d), some(d), some(d));
+        format!("1: at(x^2/y + y*{c}, x = {a}, y = {b}) == {a}^2/{b} + {b}*{c} | at")
+    }),
+    ("probability", |d| {
+        let (p, q, a) = (few(d), few(d), some(d));
+        let law = format!("x ~ beta({p}, {q})");
+        format!("1: prob(x < 1/{a}, {law}) == mean([x < 1/{a}], {law}) | probability")
+    }),
     ("telescope", |d| {
         let (a, w) = (some(d), d.roll(9));
         let b = a + w;

@@ -291,6 +291,7 @@ fn chains_of_order() {
     yes(&format!("{block}9: f(x) < h(x) | chain 5 6 7 8"));
     yes(&format!("{block}9: f(x) <= h(x) | chain 5 6 7 8"));
     yes(&format!("{block}9: x < k | chain 6 7"));
+    yes("{ | 5: x < y | 6: y < k\n9: x < k | chain 5 6");
     yes(&format!("{block}9: y <= h(x) | chain 7 8"));
     no(
         &format!("{block}9: y < h(x) | chain 7 8"),
