@@ -71,7 +71,7 @@
 //! assert!(report.as_expected);
 //! # }
 //! ~~~
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 pub mod book;
 pub mod formula;
