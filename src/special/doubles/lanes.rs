@@ -6,6 +6,7 @@
 //! on every machine.
 
 use std::array;
+use std::fmt;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Photons computed together.
@@ -78,6 +79,18 @@ impl Lanes {
         // SAFETY: `plain` is a safe function. The others ask for one thing only, that the processor has the
         // instructions they are named after; `Lanes::available` makes no value with them where it has not.
         unsafe { run(kernel, first, excess, variance) }
+    }
+}
+
+impl fmt::Display for Lanes {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.pad(match self.0 {
+            Set::Plain => "plain",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => "avx2",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512 => "avx512",
+        })
     }
 }
 
