@@ -1,7 +1,8 @@
-//! Time of the methods of the shell family: photons one by one, whole sweeps, strategy 1's log forms and
-//! ratios of Gamma functions. `benches/rivals` compares them with other programs.
+//! Time of the methods of the shell family: photons one by one, whole sweeps, doubles, strategy 1's log
+//! forms and ratios of Gamma functions. `benches/rivals` compares them with other programs.
 
 use claimcheck::model::Layout;
+use claimcheck::special::doubles::{Doubles, Lanes};
 use claimcheck::special::shell::{Method, Quantity, enclose};
 use claimcheck::special::sweep::sweep;
 use claimcheck::special::{one, ratio};
@@ -49,6 +50,31 @@ fn sweeps(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The same as doubles: small shells, and shells of 12,000 and 1.4 million photons.
+fn doubles(criterion: &mut Criterion) {
+    let ranges = [
+        (4, 100_000),
+        (72_000_000, 73_000_000),
+        (1_000_000_000_000, 1_000_001_000_000),
+    ];
+    for (first, last) in ranges {
+        let mut group = criterion.benchmark_group(format!("doubles {first}..{last}"));
+        group.throughput(Throughput::Elements(last - first + 1));
+        for lanes in Lanes::available() {
+            group.bench_function(lanes.to_string(), |b| {
+                b.iter(|| {
+                    let doubles = Doubles::new(black_box(&Layout::Triangular), first, last);
+                    let mut doubles = doubles.expect("in reach").with_lanes(lanes);
+                    while let Ok(Some(block)) = doubles.next_block() {
+                        black_box(block);
+                    }
+                })
+            });
+        }
+        group.finish();
+    }
+}
+
 fn log_forms(criterion: &mut Criterion) {
     for (k, bits) in [
         (10u64, 60),
@@ -88,5 +114,5 @@ fn gamma_ratios(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, photons, sweeps, log_forms, gamma_ratios);
+criterion_group!(benches, photons, sweeps, doubles, log_forms, gamma_ratios);
 criterion_main!(benches);

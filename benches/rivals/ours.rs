@@ -2,11 +2,13 @@
 //!
 //!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: E, V, or B for both)
 //!     ours sweep   A B D                all photons A..B: sweep A B D COUNT
+//!     ours doubles A B                 the same as doubles: doubles LANES A B SECONDS COUNT, a line for each lanes
 //!
 //! Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
 
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
+use claimcheck::special::doubles::{Doubles, Lanes};
 use claimcheck::special::shell::{Quantity, enclose, enclose_all};
 use claimcheck::special::sweep::sweep;
 use std::hint::black_box;
@@ -19,10 +21,11 @@ fn main() -> ExitCode {
     let done = match words[..] {
         ["points", photons, digits] => points(photons, digits),
         ["sweep", first, last, digits] => whole_sweep(first, last, digits),
+        ["doubles", first, last] => doubles(first, last),
         _ => None,
     };
     if done.is_none() {
-        eprintln!("usage: ours points K,K,... D,D,... | ours sweep A B D");
+        eprintln!("usage: ours points K,K,... D,D,... | ours sweep A B D | ours doubles A B");
         return ExitCode::from(2);
     }
     ExitCode::SUCCESS
@@ -86,4 +89,25 @@ fn whole_sweep(first: &str, last: &str, digits: &str) -> Option<()> {
     }
     println!("sweep {a} {b} {d} {count}");
     Some(())
+}
+
+fn doubles(first: &str, last: &str) -> Option<()> {
+    let (first, last): (u64, u64) = (first.parse().ok()?, last.parse().ok()?);
+    for lanes in Lanes::available() {
+        let call = || all_doubles(first, last, lanes);
+        let count = call()?;
+        println!("doubles {lanes} {first} {last} {:.6e} {count}", best(call));
+    }
+    Some(())
+}
+
+fn all_doubles(first: u64, last: u64, lanes: Lanes) -> Option<usize> {
+    let mut doubles = Doubles::new(&Layout::Triangular, first, last)
+        .ok()?
+        .with_lanes(lanes);
+    let mut count = 0;
+    while let Some(block) = doubles.next_block().ok()? {
+        count += black_box(block).excess.len();
+    }
+    Some(count)
 }

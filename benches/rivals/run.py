@@ -19,6 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.set_int_max_str_digits(0)
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
+DOUBLES = ((4, 100000), (72 * 10**6, 73 * 10**6), (10**12, 10**12 + 10**6))
 SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
 
 
@@ -144,6 +145,22 @@ def print_sweeps(costs):
         print(f"k = {first}..{last}, {digits} digits: {text}")
 
 
+def doubles(program, first, last, costs):
+    text, _ = output_and_cost([*program, "doubles", str(first), str(last)])
+    for line in text.splitlines():
+        lanes, seconds = line.split()[1], float(line.split()[4])
+        key = (lanes, first, last)
+        costs[key] = min(seconds, costs.get(key, seconds))
+
+
+def print_doubles(costs, sweeps):
+    print("\ndoubles with proved bounds, E_k - 1 and Var_k of all photons, one core: seconds (photons a second)")
+    for (lanes, first, last), cost in costs.items():
+        rival = sweeps.get(("C FLINT", first, last, 15))
+        ratio = f"   ratio to C FLINT at 15 digits {rival / cost:.0f}" if rival else ""
+        print(f"k = {first}..{last}, {lanes}: {cost:.6f} ({(last - first + 1) / cost:.2e}){ratio}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="one round, up to 1000 digits, no sweep at 1000")
@@ -158,7 +175,7 @@ def main():
         if flint:
             tools["C FLINT"] = [str(flint)]
         slow = python_rival()
-        table, costs = {}, {}
+        table, costs, double_costs = {}, {}, {}
         targets = () if options.sweeps else (15, 50, 100, 1000) if options.quick else (15, 50, 100, 1000, 10000)
         for _ in range(rounds):
             for digits in targets:
@@ -173,10 +190,13 @@ def main():
                     _, cost = output_and_cost([*program, "sweep", str(first), str(last), str(digits)])
                     key = (name, first, last, digits)
                     costs[key] = min(cost, costs.get(key, cost))
+            for first, last in DOUBLES:
+                doubles(tools["ours"], first, last, double_costs)
     for digits in targets:
         print_points(table, digits, PHOTONS)
         print_digits(table, digits, PHOTONS)
     print_sweeps(costs)
+    print_doubles(double_costs, costs)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 //! A book is a folder of Markdown files. The CommonMark library finds the fenced blocks; the language
 //! inside a `claim` or `define` fence is ours. [`read`] gives every claim with the place it stands at;
 //! [`Claim::printed`] and [`Claim::mended`] unfold it to the proposition that is judged.
+#![forbid(unsafe_code)]
 
 mod expect;
 mod files;

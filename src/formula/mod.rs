@@ -7,6 +7,7 @@
 //!
 //! The numbers of this floor are `num-rational`'s, so that the kernel, which imports this floor
 //! only, needs no C library.
+#![forbid(unsafe_code)]
 
 pub mod budget;
 pub mod error;

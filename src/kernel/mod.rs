@@ -13,6 +13,7 @@
 //! integral's variable) and [`integrate`]; [`functions`] and [`hypergeometric`]; [`scope`] (what
 //! names mean); [`value`](mod@value), the one walk over formulas, with [`condition`],
 //! [`integrand`], [`law`] and [`calculus`] (over [`derivative`]); [`witness`] last.
+#![forbid(unsafe_code)]
 
 mod calculus;
 mod condition;

@@ -6,8 +6,8 @@
 //! where a pole may lie inside or the method's cap of work was reached.
 //!
 //! The means and variances of the model have methods of their own, several for each job and a choice
-//! among them: [`shell`] for a photon of a shell, [`sweep`] for all photons of a range, [`one`] for strategy
-//! 1's logarithms, [`ratio`] for `Gamma(x)/Gamma(y)`.
+//! among them: [`shell`] for a photon of a shell, [`sweep`] for all photons of a range, [`doubles`] for
+//! ranges of any length in f64 with proved bounds, [`one`] for strategy 1's logarithms, [`ratio`] for `Gamma(x)/Gamma(y)`.
 //!
 //! [`DomainError`]: crate::number::DomainError
 
