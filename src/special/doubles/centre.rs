@@ -31,7 +31,7 @@ impl Kernel for Centre {
         let [one, two, size] = [1.0, 2.0, self.size].map(Wide::all);
         let before = k - one;
         let above = k * k * (size - before);
-        let below = (k - two).positive() * (before * before) * size;
+        let below = (k - two).max(Wide::all(0.0)) * (before * before) * size;
         [one / before, above / below]
     }
 }

@@ -133,10 +133,10 @@ impl Wide {
         Wide([number; WIDTH])
     }
 
-    /// Each number, or 0 where it is negative.
+    /// The larger number of each pair.
     #[inline(always)]
-    pub(super) fn positive(self) -> Wide {
-        Wide(self.0.map(|x| if x > 0.0 { x } else { 0.0 }))
+    pub(super) fn max(self, other: Wide) -> Wide {
+        self.with(other, f64::max)
     }
 
     #[inline(always)]

@@ -60,7 +60,7 @@
 //!
 //! **What is left out above, and covered by [`SLACK`]**: (1) sums of errors `weight * gamma_c` were counted as weight c u, and
 //! products of two errors not at all. All counts and their sums are below 2^11 (h <= 1/2 and L >= 1/2 keep S1 and S2 below 1/2), so
-//! that this is a factor below 1 + 2^-30. (2) The bounds stand for multiples of the exact value; as a multiple of the computed one they grow by a factor
+//! that this is a factor below 1 + 2^-22. (2) The bounds stand for multiples of the exact value; as a multiple of the computed one they grow by a factor
 //! 1 + B, B < 2^-40. (3) The figures here are computed in f64, by less than 2^9 operations on positive numbers, and L >= 1/2 by one difference:
 //! a factor below 1 + 2^-40. (4) Underflow: 2^-78 < 1/D, so that e0, rho, t2, y and every factor at the end are above 2^-400 and no product of
 //! them underflows; a sig_n may, and is then off by some 2^-1074 in each of three operations, which x + y < 1 does not increase: below 2^-1000
