@@ -1,8 +1,8 @@
 //! Certified doubles: `E_k - 1` and `Var_k` (of k/U) of whole shells and long ranges of photons as f64, with
 //! proved bounds of the relative error, some nanoseconds a photon or less.
 //!
-//! [`Doubles`] walks over the photons of a layout, block by block; [`neighbours`] fills the caller's buffers with the
-//! values of a part of one shell. Every value x comes with a bound B, the same for all of its block:
+//! [`Doubles`] walks over the photons of a layout, block by block; [`neighbours`] fills the caller's buffers
+//! with the values of a part of one shell. Every value x comes with a bound B, the same for all of its block:
 //! the true value v satisfies `|x - v| <= B x`. An infinite value is `+inf`.
 //!
 //! | photons | way | bounds of E - 1, Var in units of 2^-53 |
@@ -12,12 +12,12 @@
 //! | the innermost shell | rational, `centre.rs` | 1.001, 6.001 |
 //! | few photons a shell, thick shells | [`sweep`](super::sweep), rounded | 1.02, 1.02 |
 //!
-//! For strategy 2 central moments serve all shells of 8 photons and more; from 40 on the bounds are at most 3.6 and 13.2, from about
-//! 262,000 (k = 2^35) on 5.1 and 17.1.
+//! For strategy 2 central moments serve all shells of 8 photons and more; from 40 on the bounds are at most
+//! 3.6 and 13.2, from about 262,000 (k = 2^35) on 5.1 and 17.1.
 //!
-//! All but the last compute eight photons at a time by the operations `+ - * /` alone, each rounded to nearest, on any
-//! processor in the same order: the results are the same to the bit everywhere. AVX-512 or AVX2 is used
-//! where the processor has it ([`Lanes`]).
+//! All but the last compute eight photons at a time by the operations `+ - * /` alone, each rounded to
+//! nearest, on any processor in the same order: the results are the same to the bit everywhere. AVX-512 or
+//! AVX2 is used where the processor has it ([`Lanes`]).
 //!
 //! ```
 //! use claimcheck::model::Layout;
