@@ -159,11 +159,12 @@ impl Moments {
         let (mut before, mut term) = (0.0, 1.0);
         for index in 2..=MOST_TERMS {
             let n = index as f64;
-            if index > 3 && index % 2 == 0 {
-                if let Some(bounds) = shell.bounds(n, term, &sums) {
-                    moments.length = index - 3;
-                    return Some((moments, bounds));
-                }
+            if index > 3
+                && index % 2 == 0
+                && let Some(bounds) = shell.bounds(n, term, &sums)
+            {
+                moments.length = index - 3;
+                return Some((moments, bounds));
             }
             if index > 2 {
                 sums.add(n, term, shell.count(n));
