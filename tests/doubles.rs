@@ -14,7 +14,7 @@ use std::thread;
 const DIGITS: u32 = 30;
 const FARTHEST: u64 = 1_000_000_000_000;
 
-/// Steele, Lea and Flood's SplitMix64: the same photons on every machine.
+/// Steele, Lea and Flood's SplitMix64: the same photons in every run on as many cores.
 struct Random(u64);
 
 impl Random {
@@ -135,10 +135,13 @@ fn of_a_shell(random: &mut Random, worst: &mut Worst) {
     worst.see(found, [bounds.excess, bounds.variance], truth(&shell));
 }
 
-/// All kinds of photons, the i-th kind for the i-th of each four.
+/// All kinds of photons in turn, until so many have been tried: some are not there.
 fn try_photons(count: u64, seed: u64) -> Worst {
     let (mut random, mut worst) = (Random(seed), Worst::default());
-    for index in 0..count {
+    for index in 0u64.. {
+        if worst.tried == count {
+            break;
+        }
         match index % 8 {
             0..4 => of_the_layout(&mut random, &Layout::Triangular, &mut worst),
             4 => of_the_layout(&mut random, &Layout::Listing, &mut worst),
@@ -164,5 +167,5 @@ fn random_photons_are_within_the_bounds() {
         }
     });
     println!("{worst:#?}");
-    assert!(worst.tried >= wanted / 2 && worst.share.iter().all(|share| *share <= 1.0));
+    assert!(worst.tried >= wanted && worst.share.iter().all(|share| *share <= 1.0));
 }
