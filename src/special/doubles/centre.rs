@@ -6,10 +6,11 @@
 //! ```
 //!
 //! **Theorem.** Computed as they stand, for m <= 2^50, within u and 6 u of the values, u = 2^-53; infinite
-//! values are `+inf`. Proof. All differences are exact; there is one quotient in the mean, and in the variance two roundings
-//! above, three below and the quotient: theta_6 by Higham's lemma 3.1 (see `moments.rs`). All lies between 2^-200 and 2^200. With
-//! k-2 taken as 0 for k = 1 both denominators are +0 exactly where the values are infinite, the numerators
-//! positive. QED. [`BOUNDS`] has a little more, for the gamma_c and as they are multiples of the result.
+//! values are `+inf`. Proof. All differences are exact; there is one quotient in the mean, and in the
+//! variance two roundings above, three below and the quotient: theta_6 by Higham's lemma 3.1 (see
+//! `moments.rs`). All lies between 2^-200 and 2^200. With k-2 taken as 0 for k = 1 both denominators are +0
+//! exactly where the values are infinite, the numerators positive. QED. [`BOUNDS`] has a little more, for the
+//! gamma_c and as they are multiples of the result.
 
 use super::Bounds;
 use super::lanes::{Kernel, Wide};
@@ -31,7 +32,7 @@ impl Kernel for Centre {
         let [one, two, size] = [1.0, 2.0, self.size].map(Wide::all);
         let before = k - one;
         let above = k * k * (size - before);
-        let below = (k - two).positive() * (before * before) * size;
+        let below = (k - two).max(Wide::all(0.0)) * (before * before) * size;
         [one / before, above / below]
     }
 }

@@ -1,9 +1,9 @@
 //! Wide lanes: the same arithmetic for eight neighbours at a time, in whatever vectors the processor has.
 //!
 //! A [`Kernel`] is written once, over [`Wide`]. The compiler makes three programs of it: for the target that
-//! it was told of (on plain x86-64, vectors of two numbers), for AVX2 and for AVX-512; which one runs is asked of
-//! the processor. All do the same operations, each rounded to nearest (IEEE 754), none fused: so the results have the same bits
-//! on every machine.
+//! it was told of (on plain x86-64, vectors of two numbers), for AVX2 and for AVX-512; which one runs is
+//! asked of the processor. All do the same operations, each rounded to nearest (IEEE 754), none fused: so the
+//! results have the same bits on every machine.
 
 use std::array;
 use std::fmt;
@@ -133,10 +133,10 @@ impl Wide {
         Wide([number; WIDTH])
     }
 
-    /// Each number, or 0 where it is negative.
+    /// The larger number of each pair.
     #[inline(always)]
-    pub(super) fn positive(self) -> Wide {
-        Wide(self.0.map(|x| if x > 0.0 { x } else { 0.0 }))
+    pub(super) fn max(self, other: Wide) -> Wide {
+        self.with(other, f64::max)
     }
 
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! A shell by its central moments.
 //!
-//! The formulas are those of [`crate::special::shell`]'s file `moments.rs`, with their proofs. Photon l of the
-//! m in a shell of volume m around the volume a; s = m+1, q = s-l, and mu = a + m l/s is the mean of U. With D = s mu =
-//! s a + m l, rho = m/D and c_n = n/(s+n):
+//! The formulas are those of [`crate::special::shell`]'s file `moments.rs`, with their proofs. Photon l of
+//! the m in a shell of volume m around the volume a; s = m+1, q = s-l, and mu = a + m l/s is the mean of U.
+//! With D = s mu = s a + m l, rho = m/D and c_n = n/(s+n):
 //!
 //! ```text
 //! e0 = l/D (k/mu = 1 + e0),   f = 1 + e0,   t2 = rho^2 l q/(s+1),   x = rho (l-q),   y = rho^2 l q,
@@ -16,55 +16,75 @@
 //!
 //! # The bounds
 //!
-//! Let u = 2^-53. In the words of Higham (Accuracy and Stability of Numerical Algorithms, 2nd edition, section 3.1), theta_c is a number with
-//! `|theta_c| <= gamma_c = c u/(1 - c u)`; n roundings in products and quotients make a factor 1 + theta_n (lemma 3.1), and
-//! `(1 + theta_b)(1 + theta_c) = 1 + theta_(b+c)` (lemma 3.3, whose proof needs no integers). A computed value
-//! *has the count c* if it is the exact one times 1 + theta_c. Let d = 0 where s (a+m) <= 2^53, d = 2 elsewhere.
+//! Let u = 2^-53. In the words of Higham (Accuracy and Stability of Numerical Algorithms, 2nd edition,
+//! section 3.1), theta_c is a number with `|theta_c| <= gamma_c = c u/(1 - c u)`; n roundings in products and
+//! quotients make a factor 1 + theta_n (lemma 3.1), and `(1 + theta_b)(1 + theta_c) = 1 + theta_(b+c)` (lemma
+//! 3.3, whose proof needs no integers). A computed value *has the count c* if it is the exact one times 1 +
+//! theta_c. Let d = 0 where s (a+m) <= 2^53, d = 2 elsewhere.
 //!
-//! **Majorants.** As D >= s a + m, `|x| <= h = m s/(s a + m)` and, l q being at most s^2/4, `y <= h^2/4`. So `|sig_n| <= sigma_n`
-//! with sigma_1 = 0, sigma_2 = 1, `sigma_(n+1) = c_n h (sigma_n + (h/4) sigma_(n-1))`. Further, over the whole shell,
-//! `e0 <= e = m/(s a + m^2)`, `mu/a <= M = 1 + m^2/(s a)`, `(a+m)/mu - 1 = m q/D <= H = m^2/(s a + m)`, `t2 <= T = h^2/(4 (s+1))` and
-//! `f t2/e0 = f m^2 q/(D (s+1)) <= R = (1+e) m^3/((s a + m)(s+1))`. Write S1, S2 for the sums of sigma_n and (n-1) sigma_n, 3 <= n < N.
+//! **Majorants.** As D >= s a + m, `|x| <= h` and, l q being at most s^2/4, `y <= h^2/4`. So
+//! `|sig_n| <= sigma_n`, and over the whole shell
 //!
-//! **Truncation** (theorem of `moments.rs`). P1 and P2 lack a part between 0 and `r1 = sigma_N M`, `r2 = sigma_N ((N-1) + (N-2) H) M^2`.
+//! ```text
+//! h = m s/(s a + m),
+//! sigma_1 = 0,  sigma_2 = 1,  sigma_(n+1) = c_n h (sigma_n + (h/4) sigma_(n-1)),
+//! S1 = sum of sigma_n,    S2 = sum of (n-1) sigma_n,    3 <= n < N,
+//! e0 <= e = m/(s a + m^2),    mu/a <= M = 1 + m^2/(s a),    t2 <= T = h^2/(4 (s+1)),
+//! (a+m)/mu - 1 = m q/D <= H = m^2/(s a + m),
+//! f t2/e0 = f m^2 q/(D (s+1)) <= R = (1+e) m^3/((s a + m)(s+1)).
+//! ```
 //!
-//! **Terms.** s, q, l-q, l q, m l and m^2 are exact, as m < 2^26; D is exact where it is an integer below 2^53, else it has
-//! the count d = 2 (s a and the sum are rounded). Hence 1/D has the count d+1, e0 and rho d+2, x d+3, y 2d+6, t2 2d+6. In the
-//! recurrence x sig_n and y sig_(n-1) have the same sign (sig_n has that of l-q for odd n, and is positive for even n), so
-//! nothing cancels, and sig_n has the count `(n-2)(d+7)`: 0 for n = 2, d+5 for n = 3 (three roundings without effect), and if it is so
-//! up to n, then sig_(n+1) has at most `max((n-2)(d+7) + d+4, (n-3)(d+7) + 2d+7) + 3 <= (n-1)(d+7)`.
+//! **Truncation** (theorem of `moments.rs`). P1 and P2 lack a part between 0 and
+//! `r1 = sigma_N M`, `r2 = sigma_N ((N-1) + (N-2) H) M^2`.
 //!
-//! **Sums.** A term takes part in at most N-4 roundings of the sum from n = 3 on, one more by its weight n-1, and the last
-//! addition of 1 rounds once. So, with j_n = (n-2)(d+7), P1 is computed with an error of at most `A1` units u, P2 of `A2`:
+//! **Terms.** s, q, l-q, l q, m l and m^2 are exact, as m < 2^26; D is exact where it is an integer below
+//! 2^53, else it has the count d = 2 (s a and the sum are rounded). Hence 1/D has the count d+1, e0 and rho
+//! d+2, x d+3, y 2d+6, t2 2d+6. In the recurrence x sig_n and y sig_(n-1) have the same sign (sig_n has that
+//! of l-q for odd n, and is positive for even n), so nothing cancels, and sig_n has the count `(n-2)(d+7)`: 0
+//! for n = 2, d+5 for n = 3 (three roundings without effect), and if it is so up to n, then sig_(n+1) has at
+//! most `max((n-2)(d+7) + d+4, (n-3)(d+7) + 2d+7) + 3 <= (n-1)(d+7)`.
+//!
+//! **Sums.** A term takes part in at most N-4 roundings of the sum from n = 3 on, one more by its weight n-1,
+//! and the last addition of 1 rounds once. So, with j_n = (n-2)(d+7), P1 is computed with an error of at most
+//! `A1` units u, P2 of `A2`:
 //!
 //! ```text
 //! A1 = sum of (j_n + N-4) sigma_n + 1 + S1,     A2 = sum of (n-1) (j_n + N-3) sigma_n + 1 + S2,   3 <= n < N.
 //! ```
 //!
-//! **Theorem (mean).** `|computed - (E-1)| <= B (E-1)` with
-//! `B/u = d+3 + R ((2d+9+g) (1+S1) + A1 + r1/u)`, g = 1 + (d+2) e.
-//! Proof. f has the count g. `f t2 P1` takes g + 2d+6 from its factors and two from its products, times 1+S1 >= |P1|, and A1 from P1;
-//! the last sum rounds once, d+2 being in e0 already. All but e0's share is f t2 <= R e0 times what stands in the bracket, and
-//! E - 1 >= e0, since `t2 P1 = mean of u^2/(1-u)` (u = -T of `moments.rs`) is positive. QED.
+//! **Theorem (mean).** With g = 1 + (d+2) e, `|computed - (E-1)| <= B (E-1)`, where
 //!
-//! **Theorem (variance).** With `L = 1 - S2 - T (1 + S1 + r1)^2`, where it is positive, `|computed - Var| <= B Var` with
+//! ```text
+//! B/u = d+3 + R ((2d+9+g) (1+S1) + A1 + r1/u).
+//! ```
+//!
+//! Proof. f has the count g. `f t2 P1` takes g + 2d+6 from its factors and two from its products, times
+//! 1+S1 >= |P1|, and A1 from P1; the last sum rounds once, d+2 being in e0 already. All but e0's share is
+//! f t2 <= R e0 times what stands in the bracket, and E - 1 >= e0, since t2 P1, the mean of u^2/(1-u) (u = -T of
+//! `moments.rs`), is positive. QED.
+//!
+//! **Theorem (variance).** With `L = 1 - S2 - T (1 + S1 + r1)^2`, where it is positive,
+//! `|computed - Var| <= B Var`, where
 //!
 //! ```text
 //! B/u = 2g + 2d + 9 + (A2 + T ((2d+8) (1+S1)^2 + 2 (1+S1) A1) + 1 + S2 + T (1+S1)^2 + W/u)/L,
 //! W = r2 + T (2 (1+S1) + r1) r1.
 //! ```
 //!
-//! Proof. f^2 has 2g+1, t2 2d+6, the two products after them 2. In Q, P2 has A2; t2 P1^2 has 2d+6 from t2, two roundings, and twice A1
-//! times 1+S1; the difference, at most 1 + S2 + T (1+S1)^2, is rounded once; W is what the truncation changes. All that is relative to
-//! the exact Q >= L: P2 is at least 1 - S2, for its tail is positive, and |P1| at most 1 + S1 + r1. QED.
+//! Proof. f^2 has 2g+1, t2 2d+6, the two products after them 2. In Q, P2 has A2; t2 P1^2 has 2d+6 from t2,
+//! two roundings, and twice A1 times 1+S1; the difference, at most 1 + S2 + T (1+S1)^2, is rounded once; W is
+//! what the truncation changes. All that is relative to the exact Q >= L: P2 is at least 1 - S2, for its tail
+//! is positive, and |P1| at most 1 + S1 + r1. QED.
 //!
-//! **What is left out above, and covered by [`SLACK`]**: (1) sums of errors `weight * gamma_c` were counted as weight c u, and
-//! products of two errors not at all. All counts and their sums are below 2^11 (h <= 1/2 and L >= 1/2 keep S1 and S2 below 1/2), so
-//! that this is a factor below 1 + 2^-30. (2) The bounds stand for multiples of the exact value; as a multiple of the computed one they grow by a factor
-//! 1 + B, B < 2^-40. (3) The figures here are computed in f64, by less than 2^9 operations on positive numbers, and L >= 1/2 by one difference:
-//! a factor below 1 + 2^-40. (4) Underflow: 2^-78 < 1/D, so that e0, rho, t2, y and every factor at the end are above 2^-400 and no product of
-//! them underflows; a sig_n may, and is then off by some 2^-1074 in each of three operations, which x + y < 1 does not increase: below 2^-1000
-//! in P1 and P2. Nothing overflows: all is below 2^78.
+//! **What is left out above, and covered by [`SLACK`]**: (1) sums of errors `weight * gamma_c` were counted
+//! as weight c u, and products of two errors not at all. All counts and their sums are below 2^11 (h <= 1/2
+//! and L >= 1/2 keep S1 and S2 below 1/2), so that this is a factor below 1 + 2^-22. (2) The bounds stand for
+//! multiples of the exact value; as a multiple of the computed one they grow by a factor 1 + B, B < 2^-40.
+//! (3) The figures here are computed in f64, by less than 2^9 operations on positive numbers, and L >= 1/2 by
+//! one difference: a factor below 1 + 2^-40. (4) Underflow: 2^-78 < 1/D, so that e0, rho, t2, y and every
+//! factor at the end are above 2^-400 and no product of them underflows; a sig_n may, and is then off by some
+//! 2^-1074 in each of three operations, which x + y < 1 does not increase: below 2^-1000 in P1 and P2.
+//! Nothing overflows: all is below 2^78.
 
 use super::Bounds;
 use super::lanes::{Kernel, Wide};
@@ -139,11 +159,12 @@ impl Moments {
         let (mut before, mut term) = (0.0, 1.0);
         for index in 2..=MOST_TERMS {
             let n = index as f64;
-            if index > 3 && index % 2 == 0 {
-                if let Some(bounds) = shell.bounds(n, term, &sums) {
-                    moments.length = index - 3;
-                    return Some((moments, bounds));
-                }
+            if index > 3
+                && index % 2 == 0
+                && let Some(bounds) = shell.bounds(n, term, &sums)
+            {
+                moments.length = index - 3;
+                return Some((moments, bounds));
             }
             if index > 2 {
                 sums.add(n, term, shell.count(n));

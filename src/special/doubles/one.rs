@@ -7,16 +7,18 @@
 //! Var   = (t (1+t))^2 tau,         tau   = sum of d_j p^(j-1).
 //! ```
 //!
-//! **Theorem.** For 16 <= k <= 2^51, with six terms each by Horner's rule and one division, the mean is computed
-//! within 3.1 u and the variance within 10.2 u of the result, u = 2^-53.
-//! Proof. In the words of `moments.rs`: 2k-1 is exact, so t has the count 1, p 3. Let t <= 1/31, p <= 1/961. The i-th term of
-//! either sum (i = 0 the first) has a constant rounded once, i factors p, i products and i+1 sums: the count 2 + 5i at most. It is
-//! below 3 p^i times the sum, for the first term is 1/3 and all coefficients are below 1; so sigma and tau have
-//! `2 + sum of 15 i p^i < 2.02`. g = 1+t has 1 + t < 1.04. h = t g has 1 + 1.04 + 1 = 3.04 and is below 0.034, h sigma 6.06 and is below 0.012, as sigma < 0.334.
-//! 1 + h sigma then has 1 + 6.06 * 0.012 < 1.08, and E - 1 has 1 + 1.08 + 1 = 3.08. h^2 has 7.08, Var 7.08 + 2.02 + 1 = 10.1. What the
-//! sums lack is below `3 p^6/(1-p) < 0.035 u` of them: 10.135 for Var, 3.09 for E - 1. The rest of 10.2 and 3.1 covers the products of
-//! errors (all counts are below 30) and that the bounds are multiples of the result. Nothing under- or overflows: all numbers that
-//! matter lie between 2^-110 and 2; p^5 d_6 and all else that is added lies above 2^-600. QED.
+//! **Theorem.** For 16 <= k <= 2^51, with six terms each by Horner's rule and one division, E - 1 is
+//! computed within 3.1 u and Var within 10.2 u, relative to the result, u = 2^-53. Proof. In the words of
+//! `moments.rs`: 2k-1 is exact, so t has the count 1, p 3. Let t <= 1/31, p <= 1/961. The i-th term of either
+//! sum (i = 0 the first) has a constant rounded once, i factors p, i products and i+1 sums: the count 2 + 5i
+//! at most. It is below 3 p^i times the sum, for the first term is 1/3 and all coefficients are below 1; so
+//! sigma and tau have `2 + sum of 15 i p^i < 2.02`. g = 1+t has 1 + t < 1.04. h = t g has 1 + 1.04 + 1 = 3.04
+//! and is below 0.034, h sigma 6.06 and is below 0.012, as sigma < 0.334. 1 + h sigma then has 1 + 6.06 *
+//! 0.012 < 1.08, and E - 1 has 1 + 1.08 + 1 = 3.08. h^2 has 7.08, Var 7.08 + 2.02 + 1 = 10.1. What the sums
+//! lack is below `3 p^6/(1-p) < 0.035 u` of them: 10.135 for Var, 3.09 for E - 1. The rest of 10.2 and 3.1
+//! covers the products of errors (all counts are below 30) and that the bounds are multiples of the result.
+//! Nothing under- or overflows: all numbers that matter lie between 2^-110 and 2; p^5 d_6 and all else that
+//! is added lies above 2^-600. QED.
 
 use super::Bounds;
 use super::lanes::{Kernel, Wide};

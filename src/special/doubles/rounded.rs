@@ -1,8 +1,9 @@
 //! Any photons at all, by [`sweep`](crate::special::sweep::sweep) and one rounding.
 //!
-//! **Theorem.** Let v lie in an interval [x, y] with 0 < x and y <= x (1 + 2^-60). Then `|fl(x) - v| <= 1.02 u fl(x)`, u = 2^-53. Proof.
-//! `|fl(x) - x| <= u fl(x)` (Higham, theorem 2.3), so x <= (1+u) fl(x), and |x - v| <= 2^-60 x = 2^-7 u x. QED.
-//! The sweep's 20 digits, enclosed with 100 bits, are narrower than that.
+//! **Theorem.** Let v lie in an interval [x, y] with 0 < x and y <= x (1 + 2^-60). Then
+//! `|fl(x) - v| <= 1.02 u fl(x)`, u = 2^-53. Proof. `|fl(x) - x| <= u fl(x)` (Higham, theorem 2.3), so
+//! x <= (1+u) fl(x), and `|x - v| <= 2^-60 x = 2^-7 u x`. QED. The sweep's 20 digits, enclosed with 100 bits,
+//! are narrower than that.
 
 use super::{Bounds, DoublesError};
 use crate::model::Layout;

@@ -100,6 +100,25 @@ fn one_photon_layouts_meet_at_the_series_first() {
     assert!(neighbours(first, 1, 1, &mut excess[..1], &mut variance[..1]).is_ok());
 }
 
+/// What the header says of strategy 2.
+#[test]
+fn the_bounds_of_strategy_2() {
+    let unit = f64::EPSILON / 2.0;
+    let counts = (8..3000).chain((3000..1_500_000).step_by(997));
+    for m in counts {
+        let (_, bounds) = Moments::new(m * (m - 1) / 2, m).expect("in reach");
+        let most = match m {
+            ..40 => continue,
+            40..262_000 => [3.6, 13.2],
+            _ => [5.1, 17.1],
+        };
+        assert!(
+            bounds.excess <= most[0] * unit && bounds.variance <= most[1] * unit,
+            "{m}: {bounds:?}"
+        );
+    }
+}
+
 /// The share of the bound that a photon of any shell takes, for both values.
 fn shares(inner: u64, size: u64, position: u64) -> [f64; 2] {
     let (mut excess, mut variance) = ([0.0], [0.0]);
