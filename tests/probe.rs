@@ -2,7 +2,7 @@
 #![cfg(feature = "engine")]
 
 use claimcheck::model::Layout;
-use claimcheck::probe::{Error, Journal, Probe, Question, Summary};
+use claimcheck::probe::{Error, Journal, Probe, Question, Summary, Tally};
 use claimcheck::special::shell::{Quantity, enclose_all};
 use rug::Rational;
 
@@ -29,10 +29,8 @@ fn asked(question: Question) -> Summary {
 /// What fails, of a claim.
 fn failing(layout: &str, range: (u64, u64), claim: &str) -> Vec<u64> {
     let found = asked(question(layout, range, "", claim));
-    assert!(
-        found.links.iter().all(|link| link.undecided.count == 0),
-        "{claim}"
-    );
+    let told = |link: &Tally| link.undecided.count + link.infinite.count == 0;
+    assert!(found.links.iter().all(told), "{claim}");
     let mut all: Vec<u64> = found
         .links
         .iter()
@@ -152,32 +150,59 @@ fn what_may_have_no_value_holds_nowhere() {
         "ln(E_k - 2)/ln(E_k - 2) == 1",
         "0*(1/(k - 5)) == 0",
         "(1/(k - 5))^0 == 1",
+        "(k - 5)^(-1)*0 == 0",
+        "E_k + 1/(k - 5) - 1/(k - 5) > 1",
+        "exp((k - 5)/(k - 5)) > 1",
+        "2 - (k - 5)/(k - 5) == 1",
         "0*sqrt(4 - k) == 0",
     ] {
         let found = asked(question("triangular", (5, 5), "", claim));
         assert_eq!(found.links[0].undecided.count, 1, "{claim}");
     }
-    for formula in [
-        "pi",
-        "pi*k",
-        "ln(k)^0",
-        "1/(k - k)",
-        "k^k",
-        "k^(1/3)",
-        "2^(10^9)",
+    // A root may be 0.
+    assert_eq!(failing("triangular", (2, 50), "(l - 1)^(1/2) >= 0"), [0; 0]);
+    // What is infinite counts for no side, whatever cancels.
+    for (layout, claim, first) in [
+        ("triangular", "E_k == E_k", 1),
+        ("triangular", "E_k < E_k + 1", 1),
+        ("triangular", "0*E_k == 0", 1),
+        ("triangular", "E_k^0 == 1", 1),
+        ("triangular", "5 != min(E_k, 3)", 1),
+        ("triangular", "(min(E_k, 3) - 5)^(-1) > -1", 1),
+        ("9", "Var_k - Var_k >= 0", 2),
     ] {
+        let found = asked(question(layout, (first, first), "", claim));
+        assert_eq!(found.links[0].infinite.count, 1, "{claim}");
+    }
+    let found = asked(question("triangular", (2, 4), "(l - 1)^2/(l - 1)", ""));
+    assert_eq!(found.decades[&0].untold, 2);
+    for formula in ["pi", "pi*k", "ln(k)^0", "1/(k - k)", "k^k", "k^(1/3)"] {
         let refused = Probe::new(question("one", (1, 2), formula, ""));
         assert!(matches!(refused, Err(Error::NotAsked(_))), "{formula}");
     }
 }
 
 #[test]
-fn photons_without_a_finite_value_are_set_aside() {
+fn photons_without_a_finite_value_are_told_apart() {
     let found = asked(question("triangular", (1, 3), "", "E_k < 2"));
-    assert_eq!((found.photons, found.infinite), (3, 1));
+    assert_eq!(
+        (found.photons, &found.links[0].infinite.first[..]),
+        (3, &[1][..])
+    );
+    assert!(!found.links[0].holds());
     // The variance of photon 2 of one ball is infinite, its mean is not.
     let found = asked(question("9", (1, 9), "Var_k", "E_k > 1"));
-    assert_eq!(found.infinite, 3);
+    assert_eq!(found.decades[&0].untold, 2);
+    assert_eq!(found.links[0].infinite.first, [1]);
+}
+
+#[test]
+fn numbers_beyond_doubles_are_decided() {
+    assert_eq!(failing("triangular", (740, 1000), "exp(-k) > 0"), [0; 0]);
+    assert_eq!(failing("triangular", (4, 20), "1/k^400 > 0"), [0; 0]);
+    let found = asked(question("triangular", (700, 720), "exp(k)", "exp(k) > 1"));
+    assert_eq!(found.decades[&2].untold, 11);
+    assert!(found.links[0].holds());
 }
 
 #[test]
@@ -190,6 +215,14 @@ fn bad_questions_are_told() {
         Error::Layout(_)
     ));
     assert!(matches!(refused("3,0", (1, 2), "k", ""), Error::Layout(_)));
+    assert!(matches!(
+        refused("listing", (1, 2), "k", ""),
+        Error::NoPhoton(1)
+    ));
+    assert!(matches!(
+        refused("5,7", (6, 13), "k", ""),
+        Error::NoPhoton(13)
+    ));
     assert!(matches!(refused("one", (0, 2), "k", ""), Error::Range(..)));
     assert!(matches!(refused("one", (5, 2), "k", ""), Error::Range(..)));
     assert!(matches!(
@@ -240,7 +273,8 @@ fn journals_resume_and_shards_add_up() {
     let text = std::fs::read_to_string(path("a")).expect("there");
     std::fs::write(path("a"), format!("{text}{}", &text[..text.len() / 2])).expect("written");
     let mut journal = Journal::open(&path("a"), &question).expect("whole lines stay");
-    assert!(journal.has(2) && journal.done() == 1);
+    assert_eq!(journal.done().collect::<Vec<_>>(), [2]);
+    assert!(Journal::open(&path("a"), &question).is_err(), "two writers");
     ask(&mut journal, 1);
     ask(&mut journal, 0);
     assert_eq!(journal.summary(), whole.summary());

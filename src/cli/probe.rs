@@ -2,7 +2,7 @@
 
 use super::output::{Exit, Failure, internal, to_stdout};
 use super::progress::Bar;
-use crate::probe::{Error, Journal, JournalError, Probe as Sweep, Question};
+use crate::probe::{Error, Journal, JournalError, Probe as Sweep, Question, Tally};
 use crate::report;
 use crate::report::diagnostic;
 use clap::{Args, ValueEnum};
@@ -97,15 +97,18 @@ impl Probe {
                 (Sweep::new(all.question().clone()).map_err(refused)?, all)
             }
         };
-        let missing = sweep.chunks() - journal.done();
-        if missing > 0 {
-            if self.shard.is_some() {
-                return Ok(Exit::AsExpected);
-            }
+        let missing = (0..sweep.chunks())
+            .filter(|chunk| !journal.has(*chunk))
+            .count();
+        if missing > 0 && self.shard.is_none() {
             let hint = Some("give the journals of all shards, each run to its end");
+            let message = format!("{missing} of {} chunks are missing", sweep.chunks());
+            return Err(Failure::input(&message, hint));
+        }
+        if journal.done().any(|chunk| chunk >= sweep.chunks()) {
             return Err(Failure::input(
-                &format!("{missing} of {} chunks are missing", sweep.chunks()),
-                hint,
+                "the journal has chunks that the range has not",
+                None,
             ));
         }
         let summary = journal.summary();
@@ -116,15 +119,10 @@ impl Probe {
             Format::Human => report::probe::human(&sweep, &summary),
             Format::Json => report::probe::json(&sweep, &summary),
         })?;
-        let open = |count: u64| count > 0;
-        let bad = summary
-            .links
-            .iter()
-            .any(|t| open(t.violations.count) || open(t.undecided.count));
-        Ok(if bad {
-            Exit::NotAsExpected
-        } else {
+        Ok(if summary.links.iter().all(Tally::holds) {
             Exit::AsExpected
+        } else {
+            Exit::NotAsExpected
         })
     }
 
@@ -204,6 +202,7 @@ fn refused(error: Error) -> Failure {
             return Failure::rendered(diagnostic::render(option, text, diagnostic));
         }
         Error::Layout(_) => Some("triangular, listing, one, or numbers of photons: 5,7,9"),
+        Error::NoPhoton(_) => Some("ask for photons that it has: --k A..B"),
         Error::NotAsked(_) => Some("the model has k, l, m, Va, V, E_k and Var_k"),
         _ => None,
     };

@@ -92,6 +92,11 @@ impl Ends {
         -least(self.high.iter().map(|x| -x))
     }
 
+    /// Forgets the value at a photon.
+    pub(super) fn forget(&mut self, index: usize) {
+        (self.low[index], self.high[index]) = (f64::NAN, f64::NAN);
+    }
+
     pub(super) fn where_least(&self) -> usize {
         let least = self.least();
         self.low.iter().position(|&x| x == least).unwrap_or(0)

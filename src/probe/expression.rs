@@ -223,29 +223,56 @@ fn rational(formula: &Formula) -> Option<RationalFunction> {
     })
 }
 
-/// Whatever the formula divides by that may be 0 for some photon: its parts themselves, before anything
-/// cancels. Powers of k, l and m are left out.
-pub(super) fn divisors(formula: &Formula) -> Result<Vec<Expression>, NotAsked> {
-    let mut found = vec![];
-    let mut failed = None;
+/// A formula as it is asked of photons. It has a value where no divisor is 0 and what it names is finite, whatever
+/// cancels.
+#[derive(Clone, Debug)]
+pub(super) struct Term {
+    pub(super) value: Expression,
+    /// Whatever the formula divides by that may be 0.
+    pub(super) divisors: Vec<Expression>,
+    /// Whether it names E_k, or Var_k.
+    pub(super) names_excess: bool,
+    pub(super) names_variance: bool,
+}
+
+impl Term {
+    pub(super) fn new(formula: &Formula) -> Result<Term, NotAsked> {
+        let value = Expression::new(formula)?;
+        let mut divisors = vec![];
+        collect_divisors(formula, &mut divisors)?;
+        let names = free_names(formula);
+        let has = |name: &str| names.iter().any(|other| **other == *name);
+        Ok(Term {
+            value,
+            divisors,
+            names_excess: has("E_k"),
+            names_variance: has("Var_k"),
+        })
+    }
+}
+
+fn collect_divisors(formula: &Formula, found: &mut Vec<Expression>) -> Result<(), NotAsked> {
+    let divisor = match formula {
+        Formula::Binary(Operator::Divide, _, b) => Some(b),
+        Formula::Binary(Operator::Power, a, n) => {
+            let exponent = rational(n).and_then(|n| n.as_constant());
+            exponent.is_none_or(|n| n < 0).then_some(a)
+        }
+        _ => None,
+    };
+    if let Some(divisor) = divisor {
+        let expression = Expression::new(divisor)?;
+        if expression.may_vanish() {
+            found.push(expression);
+        }
+    }
+    let mut result = Ok(());
     Part::Formula(formula).each(&mut |part, _| {
-        let divisor = match part {
-            Part::Formula(Formula::Binary(Operator::Divide, _, b)) => b,
-            // An exponent as written in digits is not negative.
-            Part::Formula(Formula::Binary(Operator::Power, a, n))
-                if !matches!(**n, Formula::Number(_)) =>
-            {
-                a
-            }
-            _ => return,
-        };
-        match Expression::new(divisor) {
-            Ok(expression) if expression.may_vanish() => found.push(expression),
-            Ok(_) => {}
-            Err(error) => failed = Some(error),
+        if let (Part::Formula(inner), Ok(())) = (part, &result) {
+            result = collect_divisors(inner, found);
         }
     });
-    failed.map_or(Ok(found), Err)
+    result
 }
 
 fn minus(a: Expression) -> Expression {

@@ -5,16 +5,19 @@ use super::{Question, Summary};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The first line.
 #[derive(Debug, Serialize, Deserialize)]
 struct Head {
     probe: Question,
-    /// The program that wrote it: another may cut chunks differently.
-    version: String,
+    /// [`SCHEME`] of the program that wrote it.
+    scheme: u32,
 }
+
+/// Raised by whoever changes what a chunk is or how one is asked: older journals are of no use then.
+const SCHEME: u32 = 1;
 
 /// Any other line.
 #[derive(Debug, Serialize, Deserialize)]
@@ -41,15 +44,24 @@ pub enum JournalError {
     /// It is no journal.
     #[error("{path}:{line}: no journal of a probe")]
     Foreign { path: PathBuf, line: usize },
-    /// It asks something else, or was written by another version.
+    /// It asks something else.
     #[error("{path} is the journal of another question")]
     Other { path: PathBuf },
+    /// Another version of the program wrote it.
+    #[error("{path} is the journal of another version of this program")]
+    Older { path: PathBuf },
+    /// Another run writes to it.
+    #[error("{path} is in use by another run")]
+    InUse { path: PathBuf },
+    /// Two journals of the same question found different things.
+    #[error("{path} contradicts another journal in chunk {chunk}")]
+    Contradicts { path: PathBuf, chunk: u64 },
 }
 
 fn head(question: &Question) -> Head {
     Head {
         probe: question.clone(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scheme: SCHEME,
     }
 }
 
@@ -77,20 +89,28 @@ impl Journal {
             path: path.to_owned(),
             error,
         };
-        let known = match std::fs::read(path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => vec![],
-            read => read.map_err(failed)?,
-        };
+        let mut options = OpenOptions::new();
+        let mut file = options
+            .read(true)
+            .append(true)
+            .create(true)
+            .open(path)
+            .map_err(failed)?;
+        // Held until the run ends, however it ends.
+        if file.try_lock().is_err() {
+            return Err(JournalError::InUse {
+                path: path.to_owned(),
+            });
+        }
+        let mut known = vec![];
+        file.read_to_end(&mut known).map_err(failed)?;
         let whole = known
             .iter()
             .rposition(|&byte| byte == b'\n')
             .map_or(0, |at| at + 1);
         // A killed run may have left a part of the first line.
-        let mut journal = match text(&head(question))
-            .map_err(failed)?
-            .as_bytes()
-            .starts_with(&known)
-        {
+        let begun = text(&head(question)).map_err(failed)?;
+        let mut journal = match begun.as_bytes().starts_with(&known) {
             true => Journal::unwritten(question),
             false => Journal::read(path)?,
         };
@@ -99,14 +119,7 @@ impl Journal {
                 path: path.to_owned(),
             });
         }
-        let options = OpenOptions::new()
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .open(path);
-        let mut file = options.map_err(failed)?;
         file.set_len(whole as u64).map_err(failed)?;
-        file.seek(SeekFrom::End(0)).map_err(failed)?;
         path.clone_into(&mut journal.path);
         journal.file = Some(file);
         if whole == 0 {
@@ -131,9 +144,9 @@ impl Journal {
         let mut reader = BufReader::new(File::open(path).map_err(failed)?);
         let mut text = String::new();
         reader.read_line(&mut text).map_err(failed)?;
-        let Head { probe, version } = serde_json::from_str(&text).map_err(|_| foreign(1))?;
-        if version != env!("CARGO_PKG_VERSION") {
-            return Err(JournalError::Other {
+        let Head { probe, scheme } = serde_json::from_str(&text).map_err(|_| foreign(1))?;
+        if scheme != SCHEME {
+            return Err(JournalError::Older {
                 path: path.to_owned(),
             });
         }
@@ -157,9 +170,13 @@ impl Journal {
         };
         // One write: a line is there or not.
         let written = text(line).and_then(|line| file.write_all(line.as_bytes()));
-        written.map_err(|error| JournalError::File {
-            path: self.path.clone(),
-            error,
+        written.map_err(|error| {
+            // Nothing may follow a line that is there in part.
+            self.file = None;
+            JournalError::File {
+                path: self.path.clone(),
+                error,
+            }
         })
     }
 
@@ -184,20 +201,28 @@ impl Journal {
         self.done.contains_key(&chunk)
     }
 
-    /// How many chunks are done.
-    pub fn done(&self) -> u64 {
-        self.done.len() as u64
+    /// The chunks that are done, in order.
+    pub fn done(&self) -> impl Iterator<Item = u64> {
+        self.done.keys().copied()
     }
 
     /// Takes in the chunks of another journal.
     ///
     /// # Errors
-    /// `Other` where that asks something else.
+    /// `Other` where that asks something else, `Contradicts` where it found something else.
     pub fn join(&mut self, other: Journal) -> Result<(), JournalError> {
+        let path = other.path;
         if other.question != self.question {
-            return Err(JournalError::Other { path: other.path });
+            return Err(JournalError::Other { path });
         }
-        self.done.extend(other.done);
+        for (chunk, found) in other.done {
+            match self.done.get(&chunk) {
+                Some(known) if *known != found => {
+                    return Err(JournalError::Contradicts { path, chunk });
+                }
+                _ => self.done.insert(chunk, found),
+            };
+        }
         Ok(())
     }
 

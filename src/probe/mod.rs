@@ -44,11 +44,12 @@ use crate::model::{Layout, Shell};
 use crate::number::{Double, Interval};
 use crate::special::doubles::{Block, Doubles, DoublesError};
 use column::{Ends, Photons};
-use expression::Expression;
+use expression::Term;
 use photon::Found;
 use rug::Integer;
 use rug::float::Round;
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 use std::iter;
 
 /// Photons of a chunk at least; a longer range has larger ones.
@@ -86,6 +87,12 @@ pub enum Error {
     /// The range is empty or reaches too far.
     #[error("k = {0}..{1} is no range between 1 and 10^15")]
     Range(u64, u64),
+    /// The layout has no such photon.
+    #[error("the layout has no photon {0}")]
+    NoPhoton(u64),
+    /// No such chunk.
+    #[error("there is no chunk {0}")]
+    NoChunk(u64),
     /// The text of the quantity or the claim does not parse.
     #[error("{diagnostic}")]
     Syntax {
@@ -110,7 +117,7 @@ pub enum Error {
 pub struct Probe {
     question: Question,
     layout: Layout,
-    quantity: Option<Expression>,
+    quantity: Option<Term>,
     links: Vec<Link>,
 }
 
@@ -119,10 +126,8 @@ pub struct Probe {
 struct Link {
     text: String,
     /// The larger side less the smaller one.
-    difference: Expression,
+    difference: Term,
     wanted: Wanted,
-    /// Divisors of both sides: where one is 0 a side has no value.
-    divisors: Vec<Expression>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,21 +139,23 @@ enum Wanted {
 }
 
 impl Wanted {
-    /// Whether a number in the interval is as wanted, where that can be told.
-    fn holds(self, x: Double) -> Option<bool> {
-        let told = |yes: bool, no: bool| match (yes, no) {
-            (true, _) => Some(true),
-            (_, true) => Some(false),
-            _ => None,
-        };
-        let apart = x.low > 0.0 || x.high < 0.0;
-        let zero = x.low == 0.0 && x.high == 0.0;
+    /// Whether a number between two ends with these signs is as wanted, where that can be told.
+    fn holds(self, low: Option<Ordering>, high: Option<Ordering>) -> Option<bool> {
+        let (low, high) = (low?, high?);
+        let told = |yes: bool, no: bool| (yes || no).then_some(yes);
+        let apart = low.is_gt() || high.is_lt();
+        let zero = low.is_eq() && high.is_eq();
         match self {
-            Wanted::Positive => told(x.low > 0.0, x.high <= 0.0),
-            Wanted::NotNegative => told(x.low >= 0.0, x.high < 0.0),
+            Wanted::Positive => told(low.is_gt(), high.is_le()),
+            Wanted::NotNegative => told(low.is_ge(), high.is_lt()),
             Wanted::Zero => told(zero, apart),
             Wanted::NotZero => told(apart, zero),
         }
+    }
+
+    /// Whether a difference tells how nearly the link fails.
+    fn has_margin(self) -> bool {
+        matches!(self, Wanted::Positive | Wanted::NotNegative)
     }
 }
 
@@ -160,10 +167,16 @@ impl Probe {
         if question.first < 1 || question.first > question.last || question.last > FARTHEST {
             return Err(Error::Range(question.first, question.last));
         }
+        // The photons of a layout are neighbours: if it has both ends it has all.
+        for k in [question.first, question.last] {
+            if layout.shell(&Integer::from(k)).is_none() {
+                return Err(Error::NoPhoton(k));
+            }
+        }
         let quantity = match &question.quantity {
             Some(text) => {
                 let formula = parse_formula(text).map_err(|e| syntax("--quantity", text, e))?;
-                Some(Expression::new(&formula)?)
+                Some(Term::new(&formula)?)
             }
             None => None,
         };
@@ -189,7 +202,8 @@ impl Probe {
         self.links.iter().map(|link| link.text.as_str())
     }
 
-    fn chunk_size(&self) -> u64 {
+    /// Photons a chunk, the last one perhaps fewer.
+    pub fn chunk_size(&self) -> u64 {
         let photons = self.question.last - self.question.first + 1;
         photons.div_ceil(MOST_CHUNKS).max(CHUNK)
     }
@@ -202,8 +216,11 @@ impl Probe {
     /// Asks the photons of one chunk.
     ///
     /// # Errors
-    /// `Doubles` where a shell is out of reach.
+    /// `NoChunk`, and `Doubles` where a shell is out of reach.
     pub fn ask(&self, chunk: u64) -> Result<Summary, Error> {
+        if chunk >= self.chunks() {
+            return Err(Error::NoChunk(chunk));
+        }
         let first = self.question.first + chunk * self.chunk_size();
         let last = self.question.last.min(first + (self.chunk_size() - 1));
         let mut summary = Summary {
@@ -245,7 +262,6 @@ impl Probe {
                 photons: &photons,
                 decade,
                 refined: &mut summary.refined,
-                infinite: &mut summary.infinite,
             }
             .ask(&mut summary.links);
             start = end;
@@ -255,12 +271,12 @@ impl Probe {
     /// The value of the quantity, or of a link's difference, at a photon: for a person to read.
     /// `None` where it has no finite one.
     pub fn value(&self, link: Option<usize>, k: u64) -> Option<Interval> {
-        let expression = match link {
+        let term = match link {
             Some(index) => &self.links.get(index)?.difference,
             None => self.quantity.as_ref()?,
         };
         let shell = self.layout.shell(&Integer::from(k))?;
-        match photon::value(expression, &shell, DIGITS) {
+        match photon::value(term, &shell, DIGITS) {
             Found::Value(value) => Some(value),
             Found::Infinite | Found::Unknown => None,
         }
@@ -273,7 +289,6 @@ struct Asked<'a> {
     photons: &'a Photons<'a>,
     decade: &'a mut Decade,
     refined: &'a mut u64,
-    infinite: &'a mut u64,
 }
 
 impl Asked<'_> {
@@ -286,8 +301,37 @@ impl Asked<'_> {
         }
     }
 
-    fn ask_quantity(&mut self, quantity: &Expression) {
-        let column = quantity.value(self.photons).ends(self.photons.excess.len());
+    fn count(&self) -> usize {
+        self.photons.excess.len()
+    }
+
+    /// The term in doubles; unknown where it may have no value.
+    fn column(&self, term: &Term) -> Ends {
+        let mut values = term.value.value(self.photons).ends(self.count());
+        for divisor in &term.divisors {
+            let divisor = divisor.value(self.photons).ends(self.count());
+            for index in 0..self.count() {
+                let Double { low, high } = divisor.at(index);
+                if !(low > 0.0 || high < 0.0) {
+                    values.forget(index);
+                }
+            }
+        }
+        for (named, numbers) in [
+            (term.names_excess, self.photons.excess),
+            (term.names_variance, self.photons.variance),
+        ] {
+            for (index, number) in numbers.iter().enumerate() {
+                if named && number.is_infinite() {
+                    values.forget(index);
+                }
+            }
+        }
+        values
+    }
+
+    fn ask_quantity(&mut self, quantity: &Term) {
+        let column = self.column(quantity);
         if column.least().is_finite() && column.greatest().is_finite() {
             let (least, greatest) = (column.where_least(), column.where_greatest());
             self.decade
@@ -296,16 +340,19 @@ impl Asked<'_> {
                 .take_greatest(self.extreme(greatest, column.at(greatest)));
             return;
         }
-        for index in 0..self.photons.excess.len() {
+        for index in 0..self.count() {
             let mut value = column.at(index);
             if !value.is_finite() {
-                let found = self
-                    .shell(index)
-                    .map(|shell| photon::value(quantity, &shell, DIGITS));
-                match self.refined(found) {
-                    Some(finer) if finer.is_finite() => value = finer,
-                    _ => continue,
+                *self.refined += 1;
+                let shell = self.shell(index);
+                match shell.map(|shell| photon::value(quantity, &shell, DIGITS)) {
+                    Some(Found::Value(finer)) => value = double(&finer),
+                    _ => value = Double::UNKNOWN,
                 }
+            }
+            if !value.is_finite() {
+                self.decade.untold += 1;
+                continue;
             }
             let extreme = self.extreme(index, value);
             self.decade.take_least(extreme);
@@ -314,83 +361,62 @@ impl Asked<'_> {
     }
 
     fn ask_link(&mut self, number: usize, link: &Link, tally: &mut Tally) {
-        let column = link
-            .difference
-            .value(self.photons)
-            .ends(self.photons.excess.len());
+        let column = self.column(&link.difference);
         let positive = column.least() > 0.0 && column.greatest().is_finite();
-        if link.wanted == Wanted::Positive && link.divisors.is_empty() && positive {
+        if link.wanted == Wanted::Positive && positive {
             // The usual case: it holds for all.
             let least = column.where_least();
             self.decade
                 .take_margin(number, self.extreme(least, column.at(least)));
             return;
         }
-        let divisors = link
-            .divisors
-            .iter()
-            .map(|divisor| divisor.value(self.photons));
-        let divisors: Vec<Ends> = divisors
-            .map(|d| d.ends(self.photons.excess.len()))
-            .collect();
-        for index in 0..self.photons.excess.len() {
+        for index in 0..self.count() {
             let mut value = column.at(index);
-            let mut divided = divisors.iter().all(|divisor| is_nonzero(divisor.at(index)));
-            if link.wanted.holds(value).is_none() || !divided {
+            let sign = |end: f64| end.partial_cmp(&0.0);
+            let mut holds = link.wanted.holds(sign(value.low), sign(value.high));
+            if holds.is_none() {
+                *self.refined += 1;
                 let shell = self.shell(index);
-                let found = shell
-                    .as_ref()
-                    .map(|shell| photon::signed(&link.difference, shell));
-                if found == Some(Found::Infinite) {
-                    self.refined(found);
-                    continue;
+                match shell.map(|shell| photon::signed(&link.difference, &shell)) {
+                    Some(Found::Value(finer)) => {
+                        let (low, high) = (finer.low().cmp0(), finer.high().cmp0());
+                        holds = link.wanted.holds(low, high);
+                        value = double(&finer);
+                    }
+                    Some(Found::Infinite) => {
+                        tally.infinite.add(self.number(index));
+                        continue;
+                    }
+                    _ => value = Double::UNKNOWN,
                 }
-                value = self.refined(found).unwrap_or(Double::UNKNOWN);
-                divided = shell.is_some_and(|shell| link.divisors.iter().all(|divisor| {
-                    matches!(photon::signed(divisor, &shell), Found::Value(d) if is_nonzero(double(&d)))
-                }));
             }
-            let k = self.photons.first + index as u64;
-            match link.wanted.holds(value).filter(|_| divided) {
+            match holds {
                 Some(true) => {}
-                Some(false) => tally.violations.add(k),
-                None => tally.undecided.add(k),
+                Some(false) => tally.violations.add(self.number(index)),
+                None => tally.undecided.add(self.number(index)),
             }
-            if value.is_finite() {
+            if link.wanted.has_margin() && value.is_finite() {
                 self.decade.take_margin(number, self.extreme(index, value));
             }
         }
     }
 
-    fn shell(&self, index: usize) -> Option<Shell> {
-        let k = self.photons.first + index as u64;
-        self.probe.layout.shell(&Integer::from(k))
+    /// k
+    fn number(&self, index: usize) -> u64 {
+        self.photons.first + index as u64
     }
 
-    /// Counts a photon that was asked by itself.
-    fn refined(&mut self, found: Option<Found>) -> Option<Double> {
-        *self.refined += 1;
-        match found? {
-            Found::Value(value) => Some(double(&value)),
-            Found::Infinite => {
-                *self.infinite += 1;
-                None
-            }
-            Found::Unknown => None,
-        }
+    fn shell(&self, index: usize) -> Option<Shell> {
+        self.probe.layout.shell(&Integer::from(self.number(index)))
     }
 
     fn extreme(&self, index: usize, value: Double) -> Extreme {
         Extreme {
-            k: self.photons.first + index as u64,
+            k: self.number(index),
             low: value.low,
             high: value.high,
         }
     }
-}
-
-fn is_nonzero(x: Double) -> bool {
-    x.low > 0.0 || x.high < 0.0
 }
 
 /// Rounded outwards.
@@ -460,8 +486,7 @@ fn link(left: &Formula, relation: Relation, right: &Formula) -> Result<Link, Err
     let difference = Formula::binary(Operator::Subtract, larger.clone(), smaller.clone());
     Ok(Link {
         text: format!("{left} {relation} {right}"),
-        difference: Expression::new(&difference)?,
+        difference: Term::new(&difference)?,
         wanted,
-        divisors: expression::divisors(&difference)?,
     })
 }

@@ -1,6 +1,6 @@
 //! One photon, to any precision.
 
-use super::expression::{Arithmetic, Expression, Variable};
+use super::expression::{Arithmetic, Expression, Term, Variable};
 use crate::formula::Function;
 use crate::model::Shell;
 use crate::number::{DomainError, Interval};
@@ -21,64 +21,85 @@ struct Photon<'a> {
     bits: u32,
 }
 
-/// What an expression is at a photon.
+/// What a term is at a photon.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Found {
     Value(Interval),
-    /// E_k or Var_k is asked for and infinite.
+    /// E_k or Var_k is named and infinite.
     Infinite,
     /// No precision that was tried tells a value; there may be none.
     Unknown,
 }
 
-/// The expression at photon l of a shell with a relative width below `10^-digits`, or else the narrowest enclosure found.
-pub(super) fn value(expression: &Expression, shell: &Shell, digits: u32) -> Found {
-    climb(expression, shell, |value| value.agrees_to(digits))
+/// The term at photon l of a shell with a relative width below `10^-digits`, or else the narrowest enclosure found.
+pub(super) fn value(term: &Term, shell: &Shell, digits: u32) -> Found {
+    found(term, shell, |value| value.agrees_to(digits))
 }
 
-/// The expression at a photon so narrow that it has a sign, if it gets one.
-pub(super) fn signed(expression: &Expression, shell: &Shell) -> Found {
-    climb(expression, shell, |value| value.sign().is_some())
+/// The term at a photon so narrow that it has a sign, if it gets one.
+pub(super) fn signed(term: &Term, shell: &Shell) -> Found {
+    found(term, shell, |value| value.sign().is_some())
 }
 
-fn climb(expression: &Expression, shell: &Shell, enough: impl Fn(&Interval) -> bool) -> Found {
+fn found(term: &Term, shell: &Shell, enough: impl Fn(&Interval) -> bool) -> Found {
+    let infinite = |named, quantity| {
+        let none = Err(ShellError::Domain(DomainError::Certain));
+        named && enclose_all([quantity], shell, FIRST_DIGITS) == none
+    };
+    if infinite(term.names_excess, Quantity::Excess)
+        || infinite(term.names_variance, Quantity::Variance)
+    {
+        return Found::Infinite;
+    }
+    let apart = |value: &Interval| value.sign().is_some_and(|sign| sign.is_ne());
+    let divided = term
+        .divisors
+        .iter()
+        .all(|divisor| climb(divisor, shell, apart).is_some_and(|value| apart(&value)));
+    match climb(&term.value, shell, enough).filter(|_| divided) {
+        Some(value) => Found::Value(value),
+        None => Found::Unknown,
+    }
+}
+
+/// The narrowest enclosure found, with more and more digits until it is narrow enough.
+fn climb(
+    expression: &Expression,
+    shell: &Shell,
+    enough: impl Fn(&Interval) -> bool,
+) -> Option<Interval> {
     let mut best: Option<Interval> = None;
     let mut digits = FIRST_DIGITS;
     while digits <= MOST_DIGITS {
-        let Some(photon) = Photon::new(expression, shell, digits) else {
-            return Found::Infinite;
-        };
-        if let Some(next) = expression.value(&photon) {
+        if let Some(next) = expression.value(&Photon::new(expression, shell, digits)) {
             let value = best
                 .and_then(|best| best.intersection(&next))
                 .unwrap_or(next);
             if enough(&value) {
-                return Found::Value(value);
+                return Some(value);
             }
             best = Some(value);
         }
         digits *= 2;
     }
-    best.map_or(Found::Unknown, Found::Value)
+    best
 }
 
 impl Photon<'_> {
-    /// `None` where E_k or Var_k is asked for and infinite.
-    fn new<'a>(expression: &Expression, shell: &'a Shell, digits: u32) -> Option<Photon<'a>> {
-        let of = |quantity, variable| match expression.needs(variable) {
-            false => Some(None),
-            true => match enclose_all([quantity], shell, digits) {
-                Ok([value]) => Some(Some(value)),
-                Err(ShellError::Domain(DomainError::Certain)) => None,
-                Err(_) => Some(None),
-            },
+    fn new<'a>(expression: &Expression, shell: &'a Shell, digits: u32) -> Photon<'a> {
+        let of = |quantity, variable| {
+            let needed = expression.needs(variable);
+            let [value] = needed
+                .then(|| enclose_all([quantity], shell, digits).ok())
+                .flatten()?;
+            Some(value)
         };
-        Some(Photon {
+        Photon {
             shell,
-            excess: of(Quantity::Excess, Variable::Excess)?,
-            variance: of(Quantity::Variance, Variable::Variance)?,
+            excess: of(Quantity::Excess, Variable::Excess),
+            variance: of(Quantity::Variance, Variable::Variance),
             bits: digits * 10 / 3 + 64,
-        })
+        }
     }
 }
 

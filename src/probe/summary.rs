@@ -11,10 +11,8 @@ pub const MOST_NAMED: usize = 10;
 pub struct Summary {
     /// How many photons were asked.
     pub photons: u64,
-    /// How many of them doubles did not decide.
+    /// How many values were computed one by one, because doubles did not decide.
     pub refined: u64,
-    /// How many have an infinite E_k or Var_k that is asked for: they are set aside.
-    pub infinite: u64,
     /// By the number of digits of k, less 1.
     pub decades: BTreeMap<u32, Decade>,
     /// For each link of the claim.
@@ -26,10 +24,12 @@ pub struct Summary {
 pub struct Decade {
     /// How many photons.
     pub photons: u64,
-    /// The quantity where it is least and where it is greatest.
+    /// How many of them have no value of the quantity, or none that is known and a finite double.
+    pub untold: u64,
+    /// The quantity where it is least and where it is greatest, of the others.
     pub least: Option<Extreme>,
     pub greatest: Option<Extreme>,
-    /// For each link, the least difference of its sides.
+    /// For each link that is an inequality, the least difference of its sides.
     pub margins: Vec<Option<Extreme>>,
 }
 
@@ -46,8 +46,10 @@ pub struct Extreme {
 pub struct Tally {
     /// Where it fails.
     pub violations: Named,
-    /// Where no precision tried decides it.
+    /// Where no precision tried decides it, or a side may have no value.
     pub undecided: Named,
+    /// Where E_k or Var_k is infinite: a side has no finite value.
+    pub infinite: Named,
 }
 
 /// Some photons: their number, and the first of them.
@@ -114,6 +116,7 @@ impl Decade {
 
     fn merge(&mut self, other: &Decade) {
         self.photons += other.photons;
+        self.untold += other.untold;
         self.least = least(self.least, other.least);
         if let Some(extreme) = other.greatest {
             self.take_greatest(extreme);
@@ -126,12 +129,18 @@ impl Decade {
     }
 }
 
+impl Tally {
+    /// Whether the link was shown to hold everywhere.
+    pub fn holds(&self) -> bool {
+        self.violations.count + self.undecided.count + self.infinite.count == 0
+    }
+}
+
 impl Summary {
     /// Both stretches as one.
     pub fn merge(&mut self, other: &Summary) {
         self.photons += other.photons;
         self.refined += other.refined;
-        self.infinite += other.infinite;
         for (decade, found) in &other.decades {
             self.decades.entry(*decade).or_default().merge(found);
         }
@@ -141,6 +150,7 @@ impl Summary {
         for (tally, more) in self.links.iter_mut().zip(&other.links) {
             tally.violations.merge(&more.violations);
             tally.undecided.merge(&more.undecided);
+            tally.infinite.merge(&more.infinite);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::style::{FAINT, STRONG, WIDTH, paint, wrap};
 use crate::number::Interval;
-use crate::probe::{Decade, Extreme, Named, Probe, Summary};
+use crate::probe::{Decade, Extreme, Named, Probe, Summary, Tally};
 use rug::Float;
 use serde_json::json;
 use std::fmt::Write;
@@ -47,35 +47,32 @@ fn decimal(extreme: &Extreme) -> String {
 pub fn human(probe: &Probe, summary: &Summary) -> String {
     let question = probe.question();
     let mut text = format!(
-        "layout {}, k = {}..{}: {} photons, each by an enclosure; {} needed more than doubles\n",
-        question.layout, question.first, question.last, summary.photons, summary.refined
+        "layout {}, k = {}..{}: {} of {} photons asked; {} values needed more than doubles\n",
+        question.layout,
+        question.first,
+        question.last,
+        summary.photons,
+        question.last - question.first + 1,
+        summary.refined
     );
-    if summary.infinite > 0 {
+    let untold: u64 = summary.decades.values().map(|decade| decade.untold).sum();
+    if untold > 0 {
         let _ = writeln!(
             text,
-            "{} set aside: E_k or Var_k is infinite there",
-            summary.infinite
+            "{untold} photons have no value of the quantity that is known and a finite double"
         );
     }
     if !summary.links.is_empty() {
         text.push('\n');
     }
-    for (link, tally) in probe.links().zip(&summary.links) {
-        let verdict = match (tally.violations.count, tally.undecided.count) {
-            (0, 0) => "holds for every k of the range".to_owned(),
-            (0, _) => format!("undecided at {}", places(&tally.undecided)),
-            (_, 0) => format!("fails at {}", places(&tally.violations)),
-            _ => format!(
-                "fails at {}; undecided at {}",
-                places(&tally.violations),
-                places(&tally.undecided)
-            ),
-        };
-        for line in wrap(&format!("{}  {verdict}", paint(STRONG, link)), WIDTH) {
-            let _ = writeln!(text, "{line}");
+    for (index, (link, tally)) in probe.links().zip(&summary.links).enumerate() {
+        for line in wrap(&format!("{link}: {}", verdict(tally)), WIDTH) {
+            let _ = writeln!(text, "{}", paint(STRONG, &line));
         }
         for &k in &tally.violations.first {
-            let _ = writeln!(text, "    k = {k}: {}", margin_at(probe, link, k));
+            let value = probe.value(Some(index), k);
+            let margin = value.map_or("unknown".to_owned(), |value| value.to_decimal(DIGITS));
+            let _ = writeln!(text, "  k = {k}: the sides differ by {margin}");
         }
     }
     for Told { heading, of } in told(probe) {
@@ -83,18 +80,27 @@ pub fn human(probe: &Probe, summary: &Summary) -> String {
         for (power, decade) in &summary.decades {
             let Some(extreme) = of(decade) else { continue };
             let range = format!("10^{power} <= k < 10^{}", power + 1);
-            let place = paint(FAINT, &format!("at k = {}", extreme.k));
+            let place = paint(FAINT, &format!("near k = {}", extreme.k));
             let _ = writeln!(text, "  {range:<20} {:<28} {place}", decimal(&extreme));
         }
     }
     text
 }
 
-fn margin_at(probe: &Probe, link: &str, k: u64) -> String {
-    let index = probe.links().position(|text| text == link);
-    let value = probe.value(index, k);
-    let margin = value.map_or("unknown".to_owned(), |value| value.to_decimal(DIGITS));
-    format!("margin {margin}")
+fn verdict(tally: &Tally) -> String {
+    if tally.holds() {
+        return "holds for every k asked".to_owned();
+    }
+    let parts = [
+        ("fails at", &tally.violations),
+        ("undecided at", &tally.undecided),
+        ("E_k or Var_k infinite at", &tally.infinite),
+    ];
+    let some = parts.into_iter().filter(|(_, named)| named.count > 0);
+    let told: Vec<String> = some
+        .map(|(words, named)| format!("{words} {}", places(named)))
+        .collect();
+    told.join("; ")
 }
 
 /// `3 photons: k = 5, 6, 9`
