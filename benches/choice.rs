@@ -45,7 +45,11 @@ fn main() {
             (method.estimate(&shell, bits), bits, method)
         });
         methods.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (_, bits, method) in methods.into_iter().filter(|m| m.0 < MOST).take(tried as usize) {
+        for (_, bits, method) in methods
+            .into_iter()
+            .filter(|m| m.0 < MOST)
+            .take(tried as usize)
+        {
             let done = measured(Some(method), quantity, &shell, bits);
             println!("{scene} {digits} {quantity:?} {k} {method:?} {done}");
         }
