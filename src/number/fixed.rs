@@ -10,6 +10,7 @@
 //! ulps, and [`enclose`] turns a number and its count into an interval.
 
 use super::Interval;
+use super::interval::clamp_precision;
 use rug::float::Round;
 use rug::integer::Order;
 use rug::{Float, Integer};
@@ -218,6 +219,7 @@ pub fn leading_zeros(x: &[u64]) -> u32 {
 /// The interval from `(integer + x) 2^exponent` to `(integer + x + ulps) 2^exponent`, ends rounded outwards to
 /// `precision` bits.
 pub fn enclose(integer: u64, x: &[u64], ulps: u64, exponent: i32, precision: u32) -> Interval {
+    let precision = clamp_precision(precision);
     let scale = exponent - 64 * x.len() as i32;
     let (low, high) = match *x {
         [word] if integer < u64::MAX => {

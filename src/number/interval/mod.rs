@@ -59,7 +59,7 @@ where
     Float::with_val_round(precision, value, Round::Up).0
 }
 
-fn clamp_precision(precision: u32) -> u32 {
+pub(super) fn clamp_precision(precision: u32) -> u32 {
     precision.clamp(2, MAX_PRECISION)
 }
 

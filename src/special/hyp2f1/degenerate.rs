@@ -22,6 +22,9 @@ use super::{Parameters, gamma_quotient, nonpositive_integer};
 use crate::number::{DomainError, Interval};
 use rug::{Float, Integer};
 
+/// MPFR's psi takes minutes beyond this precision.
+const MOST_DIGAMMA_BITS: u32 = 1 << 13;
+
 /// psi of an integer up to this is a sum of fractions.
 const MAX_HARMONIC: u32 = 1 << 10;
 
@@ -127,6 +130,9 @@ fn digamma_sum(p: &Parameters) -> Result<Interval, DomainError> {
     };
     if let (Some(a), Some(b), Some(c)) = (harmonic(&p.a), harmonic(&p.b), harmonic(&p.c)) {
         return Ok(a.add(&b).sub(&c));
+    }
+    if p.precision() > MOST_DIGAMMA_BITS {
+        return Err(DomainError::Possible);
     }
     let at_one = Interval::from_i64(1, p.precision()).digamma()?;
     Ok(p.a

@@ -142,3 +142,10 @@ fn differences_of_logarithms_of_doubles_lose_their_digits() {
         }
     }
 }
+
+#[test]
+fn a_denominator_of_many_bits_costs_the_quotient_its_place() {
+    let near = Rational::from((1, 3)) + (Rational::from(1) >> 200_000u32);
+    let ways = choose(&near, &Rational::from((1, 2)), 100);
+    assert_ne!(ways.first(), Some(&Way::Quotient));
+}

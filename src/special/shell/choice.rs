@@ -4,13 +4,13 @@
 //! out. Where the digits are not there the same method works with more bits, and a method that refuses
 //! is left out. So the choice is never wrong, only slow where an estimate is.
 
-use super::method::Method;
+use super::method::{MOST_BITS, Method};
 use super::quantity::Quantity;
 use super::scene::Scene;
 use super::sketch::{self, Sketch};
 use super::{ShellError, words};
 use crate::model::Shell;
-use crate::number::Interval;
+use crate::number::{DomainError, Interval};
 
 /// No more digits than this.
 const MOST_DIGITS: u32 = 1_000_000;
@@ -64,7 +64,8 @@ pub fn enclose_all<const N: usize>(
     let sketch = Sketch::new(shell)?;
     for (method, working) in ranked(&quantities, &sketch, bits) {
         match climb(method, quantities, shell, working, bits) {
-            Err(ShellError::Outside | ShellError::Lost) => {}
+            Err(ShellError::Outside | ShellError::Lost)
+            | Err(ShellError::Domain(DomainError::Possible)) => {}
             result => return result,
         }
     }
@@ -144,7 +145,8 @@ fn climb<const N: usize>(
         };
         working = working
             .saturating_add(missing.min(working))
-            .saturating_add(8);
+            .saturating_add(8)
+            .min(MOST_BITS);
     }
     Err(ShellError::Lost)
 }

@@ -30,6 +30,9 @@ use rug::{Integer, Rational};
 /// The most nodes.
 const MOST_NODES: f64 = 1024.0;
 
+/// The most photons: C has about as many bits.
+const MOST_PHOTONS: u32 = 1 << 20;
+
 /// Bits for the rounding errors.
 const GUARD: u32 = 32;
 
@@ -40,7 +43,8 @@ pub(super) fn enclose<const N: usize>(
 ) -> Result<[Interval; N], ShellError> {
     let numbers = Numbers::new(shell);
     let nodes = nodes(&Sketch::new(shell)?, bits);
-    if nodes > MOST_NODES {
+    // NaN among them.
+    if !(1.0..=MOST_NODES).contains(&nodes) {
         return Err(ShellError::Outside);
     }
     let integral = Integral::new(shell, bits + GUARD)?;
@@ -63,6 +67,9 @@ impl Integral<'_> {
         let (Some(l), Some(m)) = (l, m) else {
             return Err(ShellError::Outside);
         };
+        if m > MOST_PHOTONS {
+            return Err(ShellError::Outside);
+        }
         Ok(Integral {
             shell,
             precision,
@@ -137,7 +144,8 @@ impl Integral<'_> {
 fn nodes(sketch: &Sketch, bits: u32) -> f64 {
     let ratio = sketch.inside / sketch.w;
     let a = 1.0 + ratio;
-    let rho = (a + (a * a - 1.0).sqrt()).log2();
+    // log2 of a + sqrt(a^2 - 1)
+    let rho = a.log2() + (1.0 + (1.0 - (a * a).recip()).sqrt()).log2();
     let m = sketch.s - 1.0;
     let part = |x: f64| if x > 0.0 { x * x.log2() } else { 0.0 };
     let constant = part(m) - part(sketch.l - 1.0) - part(sketch.q - 1.0) + m.log2();
@@ -147,7 +155,8 @@ fn nodes(sketch: &Sketch, bits: u32) -> f64 {
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
     let n = nodes(sketch, bits);
-    if sketch.inside == 0.0 || n.is_nan() || n > MOST_NODES {
+    let few = sketch.s <= f64::from(MOST_PHOTONS);
+    if sketch.inside == 0.0 || !few || !(1.0..=MOST_NODES).contains(&n) {
         return f64::INFINITY;
     }
     n * (n / 2.0 * sketch::interval_step(bits) + 100.0 * sketch::interval_step(bits))

@@ -9,6 +9,9 @@ use super::{
 use crate::model::Shell;
 use crate::number::Interval;
 
+/// No working precision is larger.
+pub(super) const MOST_BITS: u32 = 1 << 26;
+
 /// A way to compute; each in the file of its name, with its theorem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Method {
@@ -78,6 +81,9 @@ impl Method {
         bits: u32,
     ) -> Result<[Interval; N], ShellError> {
         check(shell)?;
+        if bits > MOST_BITS {
+            return Err(ShellError::Outside);
+        }
         let bits = bits.max(2);
         match self {
             Method::Direct => direct::enclose(quantities, shell, bits),
@@ -106,8 +112,9 @@ impl Method {
             Method::Thesis => loss + 8.0,
             _ => loss,
         };
-        bits.saturating_add(loss.min(1e9).ceil() as u32)
+        bits.saturating_add(loss.ceil() as u32)
             .saturating_add(5)
+            .min(MOST_BITS)
     }
 
     /// The working precision, in bits, from which so many digits remain, about; 0 for no shell.
@@ -118,6 +125,9 @@ impl Method {
 
     /// Machine instructions that [`Method::enclose`] is expected to take; infinite outside the domain, and for no shell.
     pub fn estimate(self, shell: &Shell, bits: u32) -> f64 {
+        if bits > MOST_BITS {
+            return f64::INFINITY;
+        }
         Sketch::new(shell).map_or(f64::INFINITY, |sketch| self.cost(&sketch, bits))
     }
 

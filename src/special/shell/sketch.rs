@@ -13,6 +13,9 @@ use crate::model::Shell;
 use crate::number::Interval;
 use rug::{Float, Rational};
 
+/// The largest loss that is planned for: where more is lost the choice finds it out by itself.
+const MOST_LOSS: f64 = 8192.0;
+
 /// A shell, A = Va+V.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sketch {
@@ -23,7 +26,7 @@ pub(super) struct Sketch {
     pub(super) s: f64,
     /// V/A
     pub(super) w: f64,
-    /// Va/A
+    /// Va/A; 0 for Va = 0 only
     pub(super) inside: f64,
     /// The denominator of V/A
     below: f64,
@@ -67,7 +70,14 @@ impl Sketch {
         check(shell)?;
         let (l, m) = (&shell.position, &shell.count);
         let outer = Rational::from(&shell.inner + &shell.volume);
-        let share = |value: &Rational| Rational::from(value / &outer).to_f64();
+        // What is too small for a double counts as the least one.
+        let share = |value: &Rational| match value.cmp0().is_gt() {
+            true => Rational::from(value / &outer)
+                .to_f64()
+                .max(f64::MIN_POSITIVE),
+            false => 0.0,
+        };
+        let q = (rug::Integer::from(m - l) + 1u32).to_f64();
         let (l, s) = (l.to_f64(), m.to_f64() + 1.0);
         let part = Rational::from(&shell.volume * &shell.position) / rug::Integer::from(m + 1u32);
         let mu = &shell.inner + part;
@@ -75,10 +85,10 @@ impl Sketch {
         let w = Rational::from(&shell.volume / &outer);
         Ok(Sketch {
             l,
-            q: s - l,
+            q,
             s,
             below: w.denom().to_f64(),
-            w: w.to_f64(),
+            w: share(&shell.volume),
             inside: share(&shell.inner),
             mean: share(&mu),
             first: first.to_f64(),
@@ -107,18 +117,19 @@ impl Sketch {
     }
 
     /// The bits that follow the point of x = mean(A/U) - 1 before the quantity is known to one: what an
-    /// absolute error 2^-bits of x takes away.
+    /// absolute error 2^-bits of x takes away. None at the centre, where the quantities are rational; and no more than
+    /// [`MOST_LOSS`], as what overflows here tells nothing.
     pub(super) fn loss(&self, quantity: Quantity) -> f64 {
-        match quantity {
+        let loss = match quantity {
+            _ if self.inside == 0.0 => 0.0,
             Quantity::Function | Quantity::Mean => 0.0,
-            Quantity::Excess => (self.k / self.excess()).log2().max(0.0),
+            Quantity::Excess => (self.k / self.excess()).log2(),
             Quantity::Variance => {
                 let slope = (self.s - self.w * (self.q + 1.0)) / self.inside;
-                ((slope + 3.0 + 2.0 / self.inside) / self.spread())
-                    .log2()
-                    .max(0.0)
+                ((slope + 3.0 + 2.0 / self.inside) / self.spread()).log2()
             }
-        }
+        };
+        loss.max(0.0).min(MOST_LOSS)
     }
 
     /// The size of E - 1, about; not so near 0 that it tells nothing.
@@ -199,7 +210,8 @@ impl Sketch {
             let part = |x: f64| if x > 0.0 { x * (x / m).log2() } else { 0.0 };
             -part(l) - part(m - l) + l * self.inside.log2()
         };
-        let middle = self.middle().clamp(from, to);
+        // Not `clamp`: rounded numbers may come in the wrong order.
+        let middle = self.middle().max(from).min(to);
         (entropy(middle) - entropy(from).min(entropy(to))).max(0.0)
     }
 

@@ -79,6 +79,9 @@ impl Series<'_> {
     /// # Errors
     /// `Outside` for w = 1 and too many terms.
     pub(super) fn sum(&self, bits: u32) -> Result<Interval, ShellError> {
+        if *self.w >= 1 {
+            return Err(ShellError::Outside);
+        }
         let n = self.terms(bits)?;
         let term_bits = self.below(n).significant_bits();
         // Terms of a run of words, or none.

@@ -366,6 +366,58 @@ fn the_last_photon_of_a_large_shell() {
 }
 
 #[test]
+fn shells_of_extreme_numbers_are_answered_or_refused() {
+    let power = |exponent: u32| Rational::from(Integer::from(1) << exponent);
+    let last: Integer = Integer::from(1) << 53u32;
+    let full = Layout::Unstratified(last.clone()).shell(&last);
+    let mean = enclose(Quantity::Mean, &full.expect("the last one"), 15);
+    assert!(mean.is_ok_and(|mean| mean.agrees_to(15)));
+    let thick = shell(2, 2, power(1100).recip(), Rational::from(1));
+    let value = enclose(Quantity::Variance, &thick, 15).expect("it is finite");
+    assert!(value.agrees_to(15));
+    let thin = shell(1, 1, power(1100), Rational::from(1));
+    let value = enclose(Quantity::Function, &thin, 400).expect("it is finite");
+    assert!(value.agrees_to(400) && *value.low() < 1);
+    for shell in [
+        &thin,
+        &shell(1 << 31, (1 << 32) - 1, power(600), Rational::from(1)),
+    ] {
+        let found = Method::Euler.enclose(Quantity::Function, shell, 53);
+        assert_eq!(found, Err(ShellError::Outside));
+    }
+    // More digits than any method has within its cap.
+    let wide = shell(1, 5000, Rational::from(1), Rational::from(9));
+    let refused = Err(ShellError::Outside);
+    assert_eq!(enclose(Quantity::Function, &wide, 60_000), refused);
+    let middle = shell(2500, 5000, Rational::from(1), Rational::from(1));
+    assert_eq!(enclose(Quantity::Function, &middle, 1_000_000), refused);
+}
+
+#[test]
+fn every_method_answers_or_refuses_at_the_centre() {
+    let centre = shell(5, 10, Rational::new(), Rational::from(10));
+    for quantity in Quantity::ALL {
+        for method in Method::ALL {
+            let found = method.enclose(quantity, &centre, 53);
+            let answers = method == Method::Exact && quantity != Quantity::Function;
+            assert_eq!(found.is_ok(), answers, "{method:?} {quantity:?}");
+        }
+    }
+    let (_, bits) = choose(Quantity::Variance, &centre, 15).expect("a method");
+    assert!(bits < 100, "{bits}");
+}
+
+#[test]
+fn more_bits_than_there_are_is_refused() {
+    for method in Method::ALL {
+        let found = method.enclose(Quantity::Mean, &photon(50), u32::MAX);
+        assert_eq!(found, Err(ShellError::Outside), "{method:?}");
+        assert_eq!(method.estimate(&photon(50), u32::MAX), f64::INFINITY);
+    }
+    assert_eq!(enclose_all([], &photon(5050), 17), Ok([]));
+}
+
+#[test]
 fn thousands_of_digits_agree() {
     for k in [4u64, 55, 10_000, 1_000_000_000_000] {
         for quantity in [Quantity::Mean, Quantity::Variance] {

@@ -4,7 +4,7 @@
 //! Var = k^2 ((Va - m Va - l V + V) F + Va m)/(Va^2 (Va+V)) - k^2 F^2/Va^2
 //! ```
 //!
-//! all in one precision. Domain: `Va > 0`. It is the baseline: the two parts of the variance agree in
+//! all in one precision. Domain: `Va > 0`, and no more terms than the general function has at most. It is the baseline: the two parts of the variance agree in
 //! 2 log2 k bits, which are lost, as is log2 k of E - 1. The intervals say so. (Why 2.104 holds: `quantity`.)
 
 use super::ShellError;
@@ -14,6 +14,9 @@ use crate::model::Shell;
 use crate::number::Interval;
 use crate::special::hyp2f1;
 use rug::{Integer, Rational};
+
+/// Terms times words, about: the cap of the general function.
+const MOST_WORK: u32 = 1 << 21;
 
 pub(super) fn enclose<const N: usize>(
     quantities: [Quantity; N],
@@ -54,6 +57,10 @@ pub(super) fn enclose<const N: usize>(
 }
 
 pub(super) fn cost(sketch: &Sketch, bits: u32) -> f64 {
+    let terms = sketch.pfaff_terms(f64::from(bits) + 48.0);
+    if terms > f64::from(MOST_WORK) / (8.0 + f64::from(bits) / 64.0) {
+        return f64::INFINITY;
+    }
     // The general function tries harder and allocates more than a series of its own.
-    3.0 * sketch.pfaff_terms(f64::from(bits) + 48.0) * sketch::interval_step(bits) + 50_000.0
+    3.0 * terms * sketch::interval_step(bits) + 50_000.0
 }

@@ -77,7 +77,7 @@ pub(super) fn certified<const N: usize>(
     let guard = 33 - bits.leading_zeros();
     let words = (bits + guard + scene.shift).div_ceil(64) as usize;
     // And so few bits unused that all errors, counted in ulps, are words.
-    let mut unused = u32::MAX;
+    let mut unused = ROOM;
     for quantity in quantities {
         unused = unused.min(room(quantity, scene)?);
     }
@@ -92,6 +92,9 @@ pub(super) fn certified<const N: usize>(
     }
 }
 
+/// The bits of a word for errors and what they are multiplied by.
+const ROOM: u32 = 58;
+
 /// The bits of a word that the error of y may fill, so that the error of the quantity fits one too.
 fn room(quantity: Quantity, scene: &Scene) -> Result<u32, ShellError> {
     let photon = 64 - (scene.k.above / scene.k.below).leading_zeros();
@@ -101,8 +104,7 @@ fn room(quantity: Quantity, scene: &Scene) -> Result<u32, ShellError> {
         // x = y 2^g, and an error of x counts (d s)/(d-p) <= s (2^g + 1) times, and a few times more.
         Quantity::Variance => 64 - scene.s.leading_zeros() + 2 * scene.shift + 2 * photon,
     };
-    58u32
-        .checked_sub(counts)
+    ROOM.checked_sub(counts)
         .filter(|&room| room > 0)
         .ok_or(ShellError::Outside)
 }
