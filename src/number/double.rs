@@ -136,7 +136,11 @@ impl Double {
 
     /// a^n, n >= 1
     pub fn power(self, n: u32) -> Double {
-        let base = if n % 2 == 0 { self.magnitude() } else { self };
+        let base = if n.is_multiple_of(2) {
+            self.magnitude()
+        } else {
+            self
+        };
         let mut result = base;
         for bit in (0..31 - n.leading_zeros().min(31)).rev() {
             result = result.times(result);

@@ -13,7 +13,25 @@ const DIGITS: usize = 6;
 /// What is told of each decade: a heading, and how to find it.
 struct Told {
     heading: String,
-    of: Box<dyn Fn(&Decade) -> Option<Extreme>>,
+    of: Which,
+}
+
+#[derive(Clone, Copy)]
+enum Which {
+    Least,
+    Greatest,
+    /// Of a link, by its place in the claim.
+    Margin(usize),
+}
+
+impl Which {
+    fn of(self, decade: &Decade) -> Option<Extreme> {
+        match self {
+            Which::Least => decade.least,
+            Which::Greatest => decade.greatest,
+            Which::Margin(link) => decade.margins.get(link).copied().flatten(),
+        }
+    }
 }
 
 fn told(probe: &Probe) -> Vec<Told> {
@@ -21,17 +39,17 @@ fn told(probe: &Probe) -> Vec<Told> {
     if let Some(quantity) = &probe.question().quantity {
         all.push(Told {
             heading: format!("least {quantity}"),
-            of: Box::new(|decade| decade.least),
+            of: Which::Least,
         });
         all.push(Told {
             heading: format!("greatest {quantity}"),
-            of: Box::new(|decade| decade.greatest),
+            of: Which::Greatest,
         });
     }
     for (index, link) in probe.links().enumerate() {
         all.push(Told {
             heading: format!("least margin of {link}"),
-            of: Box::new(move |decade| decade.margins.get(index).copied().flatten()),
+            of: Which::Margin(index),
         });
     }
     all
@@ -78,7 +96,9 @@ pub fn human(probe: &Probe, summary: &Summary) -> String {
     for Told { heading, of } in told(probe) {
         let _ = writeln!(text, "\n{}", paint(STRONG, &heading));
         for (power, decade) in &summary.decades {
-            let Some(extreme) = of(decade) else { continue };
+            let Some(extreme) = of.of(decade) else {
+                continue;
+            };
             let range = format!("10^{power} <= k < 10^{}", power + 1);
             let place = paint(FAINT, &format!("near k = {}", extreme.k));
             let _ = writeln!(text, "  {range:<20} {:<28} {place}", decimal(&extreme));
@@ -137,7 +157,7 @@ pub fn csv(probe: &Probe, summary: &Summary) -> String {
     for (power, decade) in &summary.decades {
         let _ = write!(text, "1e{power},{}", decade.photons);
         for Told { of, .. } in &told {
-            match of(decade) {
+            match of.of(decade) {
                 Some(Extreme { k, low, high }) => {
                     let _ = write!(text, ",{low:e},{high:e},{k}");
                 }

@@ -129,7 +129,7 @@ impl Sketch {
                 ((slope + 3.0 + 2.0 / self.inside) / self.spread()).log2()
             }
         };
-        loss.max(0.0).min(MOST_LOSS)
+        loss.clamp(0.0, MOST_LOSS)
     }
 
     /// The size of E - 1, about; not so near 0 that it tells nothing.
