@@ -599,3 +599,43 @@ fn a_cache_that_cannot_be_written_is_no_error() {
             .is_empty()
     );
 }
+
+#[test]
+fn a_probe_tells_holds_fails_and_bad_questions_apart() {
+    let probe = |rest: &[&str]| run(&[&["probe"], rest].concat());
+    let claim = "1 + 1/k^2 < E_k < 1 + 1/k";
+    let seen = probe(&["--k", "4..1e4", "--claim", claim]);
+    assert_eq!(seen.code, Some(0), "{}", seen.err);
+    for line in [
+        "layout triangular, k = 4..10000: 9997 of 9997 photons asked; 0 values needed more than doubles",
+        "1 + 1/k^2 < E_k: holds for every k asked",
+        "least margin of E_k < 1 + 1/k",
+        "  k = 1000..9999                       6.98458e-7               near k = 9870",
+        "  k = 10000..10000                     ",
+    ] {
+        assert!(seen.out.contains(line), "{line}\n{}", seen.out);
+    }
+    let seen = probe(&["--k", "1..10", "--claim", claim]);
+    assert_eq!(seen.code, Some(1));
+    let fails = "E_k < 1 + 1/k: fails at 1 photon: k = 3; E_k or Var_k infinite at 1 photon: k = 1";
+    assert!(seen.out.contains(fails), "{}", seen.out);
+    for (rest, told) in [
+        (&["--k", "4..9"][..], "nothing is asked"),
+        (&["--k", "9..4", "--quantity", "k"], "is no range"),
+        (
+            &["--k", "4..9", "--quantity", "E_j"],
+            "the model has k, l, m",
+        ),
+        (&["--k", "4..9", "--quantity", "gamma(k)"], "a probe knows"),
+        (&["--k", "4..9", "--claim", "E_k <"], "--claim"),
+        (
+            &["--k", "4..9", "--quantity", "k", "--shard", "1/2"],
+            "--journal",
+        ),
+        (&["--merge", "nowhere"], "nowhere"),
+    ] {
+        let seen = probe(rest);
+        assert_eq!(seen.code, Some(2), "{rest:?}");
+        assert!(seen.err.contains(told), "{rest:?}: {}", seen.err);
+    }
+}

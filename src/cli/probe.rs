@@ -2,7 +2,7 @@
 
 use super::output::{Exit, Failure, internal, to_stdout};
 use super::progress::Bar;
-use crate::probe::{Error, Journal, JournalError, Probe as Sweep, Question, Tally};
+use crate::probe::{Error, Journal, JournalError, NotAsked, Probe as Sweep, Question, Tally};
 use crate::report;
 use crate::report::diagnostic;
 use clap::{Args, ValueEnum};
@@ -12,6 +12,7 @@ use std::sync::Mutex;
 
 /// Sweeps over all photons of a range: extremes of a quantity, and whether a claim holds for each
 #[derive(Debug, Args)]
+#[command(after_help = MODEL)]
 pub(super) struct Probe {
     /// triangular (strategy 2), listing, one (strategy 1), or the photons of each shell: 5,7,9
     #[arg(long, default_value = "triangular", value_name = "LAYOUT")]
@@ -46,6 +47,15 @@ pub(super) struct Probe {
     #[arg(long, short)]
     quiet: bool,
 }
+
+/// What the names mean.
+const MODEL: &str = "\
+Photon k is the l-th of the m in its shell, which has the volume V = m around the volume Va = k - l:
+E_k = mean(k/U) and Var_k = var(k/U) for U = Va + V*x, x ~ beta(l, m-l+1). triangular: shells of
+1, 2, 3, ... photons; listing: the same around one empty unit of volume, from photon 2 on; one: a
+shell for each photon. Formulas: + - * / ^ (exponents n and n/2), abs, sqrt, min, max; ln and exp
+are computed photon by photon, some 30 microseconds each.
+Exit code: 0 where all links hold for every k, 1 where not; of a shard 0 when it is done.";
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
@@ -112,6 +122,15 @@ impl Probe {
             ));
         }
         let summary = journal.summary();
+        if let Some((part, parts)) = self.shard {
+            let done = journal.done().count();
+            to_stdout(&format!(
+                "shard {part} of {parts} is done: {done} of {} chunks, {} photons; join the journals with --merge\n",
+                sweep.chunks(),
+                summary.photons
+            ))?;
+            return Ok(Exit::AsExpected);
+        }
         if let Some(path) = &self.csv {
             write(path, &report::probe::csv(&sweep, &summary))?;
         }
@@ -203,7 +222,12 @@ fn refused(error: Error) -> Failure {
         }
         Error::Layout(_) => Some("triangular, listing, one, or numbers of photons: 5,7,9"),
         Error::NoPhoton(_) => Some("ask for photons that it has: --k A..B"),
-        Error::NotAsked(_) => Some("the model has k, l, m, Va, V, E_k and Var_k"),
+        Error::NotAsked(NotAsked::UnknownName(_)) => {
+            Some("the model has k, l, m, Va, V, E_k and Var_k")
+        }
+        Error::NotAsked(NotAsked::Unsupported(_)) => {
+            Some("a probe knows + - * /, powers n and n/2, abs, sqrt, ln, exp, min and max")
+        }
         _ => None,
     };
     Failure::input(&error.to_string(), hint)

@@ -75,10 +75,7 @@ pub fn human(probe: &Probe, summary: &Summary) -> String {
     );
     let untold: u64 = summary.decades.values().map(|decade| decade.untold).sum();
     if untold > 0 {
-        let _ = writeln!(
-            text,
-            "{untold} photons have no value of the quantity that is known and a finite double"
-        );
+        let _ = writeln!(text, "left out: {}", photons_without(untold));
     }
     if !summary.links.is_empty() {
         text.push('\n');
@@ -94,14 +91,21 @@ pub fn human(probe: &Probe, summary: &Summary) -> String {
         }
     }
     for Told { heading, of } in told(probe) {
+        let known: Vec<(u32, Extreme)> = summary
+            .decades
+            .iter()
+            .filter_map(|(power, decade)| Some((*power, of.of(decade)?)))
+            .collect();
+        if known.is_empty() {
+            continue;
+        }
         let _ = writeln!(text, "\n{}", paint(STRONG, &heading));
-        for (power, decade) in &summary.decades {
-            let Some(extreme) = of.of(decade) else {
-                continue;
-            };
-            let range = format!("10^{power} <= k < 10^{}", power + 1);
+        for (power, extreme) in known {
+            let from = 10u64.pow(power).max(question.first);
+            let to = (10u64.pow(power + 1) - 1).min(question.last);
+            let range = format!("k = {from}..{to}");
             let place = paint(FAINT, &format!("near k = {}", extreme.k));
-            let _ = writeln!(text, "  {range:<20} {:<28} {place}", decimal(&extreme));
+            let _ = writeln!(text, "  {range:<36} {:<24} {place}", decimal(&extreme));
         }
     }
     text
@@ -113,7 +117,7 @@ fn verdict(tally: &Tally) -> String {
     }
     let parts = [
         ("fails at", &tally.violations),
-        ("undecided at", &tally.undecided),
+        ("undecided or without a value at", &tally.undecided),
         ("E_k or Var_k infinite at", &tally.infinite),
     ];
     let some = parts.into_iter().filter(|(_, named)| named.count > 0);
@@ -121,6 +125,13 @@ fn verdict(tally: &Tally) -> String {
         .map(|(words, named)| format!("{words} {}", places(named)))
         .collect();
     told.join("; ")
+}
+
+fn photons_without(count: u64) -> String {
+    let noun = if count == 1 { "photon" } else { "photons" };
+    format!(
+        "{count} {noun} where the quantity has no value, none that is known, or none a double can hold"
+    )
 }
 
 /// `3 photons: k = 5, 6, 9`
