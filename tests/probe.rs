@@ -298,6 +298,20 @@ fn journals_resume_and_shards_add_up() {
     }
     assert_eq!(all.summary(), whole.summary());
 
+    // A digit of a finding, or of the question, that has changed.
+    let text = std::fs::read_to_string(path("b0")).expect("there");
+    for (old, new) in [
+        ("\"photons\":1", "\"photons\":2"),
+        ("\"count\":0", "\"count\":1"),
+        ("\"chunk\":0", "\"chunk\":1"),
+        ("1/k^2 <", "1/k^3 <"),
+    ] {
+        assert!(text.contains(old), "{old}");
+        std::fs::write(path("e"), text.replacen(old, new, 1)).expect("written");
+        assert!(Journal::read(&path("e")).is_err(), "{old}");
+    }
+    assert!(Journal::open(&folder, &question).is_err(), "no file");
+
     // Nothing of anybody else's is overwritten.
     std::fs::write(path("c"), "dear diary").expect("written");
     assert!(Journal::open(&path("c"), &question).is_err());

@@ -24,6 +24,37 @@ const SCHEME: u32 = 1;
 struct Line {
     chunk: u64,
     found: Summary,
+    /// Of the question and of the line without it: a damaged line is no evidence.
+    #[serde(default)]
+    check: String,
+}
+
+impl Line {
+    fn new(question: &Question, chunk: u64, found: Summary) -> io::Result<Line> {
+        let mut line = Line {
+            chunk,
+            found,
+            check: String::new(),
+        };
+        line.check = line.sum(question)?;
+        Ok(line)
+    }
+
+    /// The hash FNV-1a of 64 bits (Fowler, Noll and Vo) of the two texts.
+    fn sum(&self, question: &Question) -> io::Result<String> {
+        let bare = Line {
+            chunk: self.chunk,
+            found: self.found.clone(),
+            check: String::new(),
+        };
+        let texts = text(&head(question))? + &text(&bare)?;
+        let step =
+            |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        Ok(format!(
+            "{:016x}",
+            texts.bytes().fold(0xcbf2_9ce4_8422_2325, step)
+        ))
+    }
 }
 
 /// The chunks of a question that are done.
@@ -41,8 +72,8 @@ pub enum JournalError {
     /// It cannot be read or written.
     #[error("{path}: {error}")]
     File { path: PathBuf, error: io::Error },
-    /// It is no journal.
-    #[error("{path}:{line}: no journal of a probe")]
+    /// It is no journal, or a damaged one.
+    #[error("{path}:{line}: no journal of a probe, or damaged")]
     Foreign { path: PathBuf, line: usize },
     /// It asks something else.
     #[error("{path} is the journal of another question")]
@@ -89,6 +120,10 @@ impl Journal {
             path: path.to_owned(),
             error,
         };
+        if std::fs::metadata(path).is_ok_and(|data| !data.is_file()) {
+            let error = io::Error::other("no ordinary file");
+            return Err(failed(error));
+        }
         let mut options = OpenOptions::new();
         let mut file = options
             .read(true)
@@ -158,8 +193,11 @@ impl Journal {
             if !text.ends_with('\n') {
                 break;
             }
-            let Line { chunk, found } = serde_json::from_str(&text).map_err(|_| foreign(number))?;
-            journal.done.insert(chunk, found);
+            let line: Line = serde_json::from_str(&text).map_err(|_| foreign(number))?;
+            if line.sum(&probe).map_err(failed)? != line.check {
+                return Err(foreign(number));
+            }
+            journal.done.insert(line.chunk, line.found);
         }
         Ok(journal)
     }
@@ -185,7 +223,11 @@ impl Journal {
     /// # Errors
     /// `File` where it cannot be written; it counts as done all the same.
     pub fn add(&mut self, chunk: u64, found: Summary) -> Result<(), JournalError> {
-        let line = Line { chunk, found };
+        let failed = |error| JournalError::File {
+            path: self.path.clone(),
+            error,
+        };
+        let line = Line::new(&self.question, chunk, found).map_err(failed)?;
         let written = self.write(&line);
         self.done.insert(chunk, line.found);
         written
