@@ -48,7 +48,9 @@ fn program() -> Command {
 /// A folder of this name with one chapter.
 fn book(name: &str, chapter: &str) -> PathBuf {
     // In a folder of its own: certificates are looked for beside a book, too.
-    let own = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
+    let own = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("cli")
+        .join(name);
     let folder = own.join("book");
     fs::create_dir_all(&folder).expect("the folder for temporary files is there");
     fs::write(folder.join("chapter.md"), chapter).expect("it can be written to");
