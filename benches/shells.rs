@@ -2,7 +2,8 @@
 //! forms and ratios of Gamma functions. `benches/rivals` compares them with other programs.
 
 use claimcheck::model::Layout;
-use claimcheck::special::doubles::{Doubles, Lanes};
+use claimcheck::number::Lanes;
+use claimcheck::special::doubles::Doubles;
 use claimcheck::special::shell::{Method, Quantity, enclose};
 use claimcheck::special::sweep::sweep;
 use claimcheck::special::{one, ratio};

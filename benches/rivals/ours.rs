@@ -8,7 +8,8 @@
 
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
-use claimcheck::special::doubles::{Doubles, Lanes};
+use claimcheck::number::Lanes;
+use claimcheck::special::doubles::Doubles;
 use claimcheck::special::shell::{Quantity, enclose, enclose_all};
 use claimcheck::special::sweep::sweep;
 use std::hint::black_box;

@@ -10,9 +10,11 @@ mod double;
 mod exact;
 pub mod fixed;
 mod interval;
+mod lanes;
 mod refine;
 
 pub use double::Double;
 pub use exact::{Exact, ExactError};
 pub use interval::{DomainError, Interval};
+pub use lanes::{Lanes, Task, WIDTH, Wide};
 pub use refine::{Refined, refine};

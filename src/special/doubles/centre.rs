@@ -13,7 +13,8 @@
 //! gamma_c and as they are multiples of the result.
 
 use super::Bounds;
-use super::lanes::{Kernel, Wide};
+use super::kernel::Kernel;
+use crate::number::Wide;
 
 /// What the theorem says.
 pub(super) const BOUNDS: Bounds = Bounds {

@@ -38,16 +38,14 @@
 //! ```
 
 mod centre;
-mod lanes;
+mod kernel;
 mod moments;
 mod one;
 mod places;
 mod rounded;
 
-pub use lanes::Lanes;
-
 use crate::model::Layout;
-use crate::number::DomainError;
+use crate::number::{DomainError, Lanes};
 use centre::Centre;
 use moments::Moments;
 use one::One;
@@ -221,11 +219,11 @@ fn fill(
     let first = position as f64;
     if inner == 0 {
         let size = size as f64;
-        lanes.run(&Centre { size }, first, excess, variance);
+        kernel::fill(lanes, &Centre { size }, first, excess, variance);
         return Ok(centre::BOUNDS);
     }
     if let Some((moments, bounds)) = Moments::new(inner, size) {
-        lanes.run(&moments, first, excess, variance);
+        kernel::fill(lanes, &moments, first, excess, variance);
         return Ok(bounds);
     }
     let layout = Layout::Sequence(vec![inner, size]);
@@ -243,7 +241,7 @@ fn fill_singles(
     if first < one::FIRST {
         return rounded::fill(&Layout::One, first, excess, variance);
     }
-    lanes.run(&One, first as f64, excess, variance);
+    kernel::fill(lanes, &One, first as f64, excess, variance);
     Ok(one::BOUNDS)
 }
 

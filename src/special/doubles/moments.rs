@@ -87,7 +87,8 @@
 //! Nothing overflows: all is below 2^78.
 
 use super::Bounds;
-use super::lanes::{Kernel, Wide};
+use super::kernel::Kernel;
+use crate::number::Wide;
 
 /// For what the theorems' counts leave out.
 const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;

@@ -21,7 +21,8 @@
 //! is added lies above 2^-600. QED.
 
 use super::Bounds;
-use super::lanes::{Kernel, Wide};
+use super::kernel::Kernel;
+use crate::number::Wide;
 
 /// The first photon of the theorem.
 pub(super) const FIRST: u64 = 16;

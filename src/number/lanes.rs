@@ -1,25 +1,28 @@
 //! Wide lanes: the same arithmetic for eight neighbours at a time, in whatever vectors the processor has.
 //!
-//! A [`Kernel`] is written once, over [`Wide`]. The compiler makes three programs of it: for the target that
-//! it was told of (on plain x86-64, vectors of two numbers), for AVX2 and for AVX-512; which one runs is
-//! asked of the processor. All do the same operations, each rounded to nearest (IEEE 754), none fused: so the
-//! results have the same bits on every machine.
+//! A [`Task`] is written once. The compiler makes three programs of it: for the target that it was told of (on
+//! plain x86-64, vectors of two numbers), for AVX2 and for AVX-512; which one runs is asked of the processor.
+//! All do the same operations, each rounded to nearest (IEEE 754), none fused: so the results have the same
+//! bits on every machine.
 
 use std::array;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Photons computed together.
-const WIDTH: usize = 8;
+/// Numbers computed together.
+pub const WIDTH: usize = 8;
 
 /// A number for each of some neighbours.
-#[derive(Clone, Copy)]
-pub(super) struct Wide([f64; WIDTH]);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wide(pub [f64; WIDTH]);
 
-/// A formula for the photons of one shell (or one layout).
-pub(super) trait Kernel {
-    /// `E_k - 1` and `Var_k` of the photons with these numbers: l, or k where a shell holds one photon.
-    fn values(&self, photons: Wide) -> [Wide; 2];
+/// Work to do in wide lanes. `run`, and what it calls, must be `#[inline(always)]`: only what is inlined is compiled
+/// for the wide vectors.
+pub trait Task {
+    /// What comes of it.
+    type Output;
+    /// Does the work.
+    fn run(self) -> Self::Output;
 }
 
 /// A way to compute that this processor has; all give the same bits.
@@ -40,7 +43,7 @@ impl Lanes {
     /// What this processor has, the fastest last.
     ///
     /// ```
-    /// use claimcheck::special::doubles::Lanes;
+    /// use claimcheck::number::Lanes;
     /// assert_eq!(Lanes::available().last(), Some(Lanes::best()));
     /// ```
     pub fn available() -> impl Iterator<Item = Lanes> {
@@ -60,25 +63,19 @@ impl Lanes {
         Lanes::available().last().unwrap_or(Lanes(Set::Plain))
     }
 
-    /// The values of the photons from `first` on, as many as the buffers hold.
+    /// Does the work in these lanes.
     #[allow(unsafe_code)]
-    pub(super) fn run<K: Kernel>(
-        self,
-        kernel: &K,
-        first: f64,
-        excess: &mut [f64],
-        variance: &mut [f64],
-    ) {
-        let run: unsafe fn(&K, f64, &mut [f64], &mut [f64]) = match self.0 {
-            Set::Plain => plain,
+    pub fn run<T: Task>(self, task: T) -> T::Output {
+        let run: unsafe fn(T) -> T::Output = match self.0 {
+            Set::Plain => T::run,
             #[cfg(target_arch = "x86_64")]
             Set::Avx2 => avx2,
             #[cfg(target_arch = "x86_64")]
             Set::Avx512 => avx512,
         };
-        // SAFETY: `plain` is a safe function. The others ask for one thing only, that the processor has the
+        // SAFETY: `T::run` is a safe function. The others ask for one thing only, that the processor has the
         // instructions they are named after; `Lanes::available` makes no value with them where it has not.
-        unsafe { run(kernel, first, excess, variance) }
+        unsafe { run(task) }
     }
 }
 
@@ -96,46 +93,32 @@ impl fmt::Display for Lanes {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f")]
-fn avx512<K: Kernel>(kernel: &K, first: f64, excess: &mut [f64], variance: &mut [f64]) {
-    plain(kernel, first, excess, variance);
+fn avx512<T: Task>(task: T) -> T::Output {
+    task.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2<K: Kernel>(kernel: &K, first: f64, excess: &mut [f64], variance: &mut [f64]) {
-    plain(kernel, first, excess, variance);
-}
-
-/// The numbers of the photons are below 2^53, so that sums of them are exact.
-#[inline(always)]
-fn plain<K: Kernel>(kernel: &K, first: f64, excess: &mut [f64], variance: &mut [f64]) {
-    let mut photons = Wide(array::from_fn(|lane| first + lane as f64));
-    let step = Wide::all(WIDTH as f64);
-    let (wide_excess, last_excess) = excess.as_chunks_mut();
-    let (wide_variance, last_variance) = variance.as_chunks_mut();
-    for (excess, variance) in wide_excess.iter_mut().zip(wide_variance) {
-        let [e, v] = kernel.values(photons);
-        (*excess, *variance) = (e.0, v.0);
-        photons = photons + step;
-    }
-    if !last_excess.is_empty() {
-        // The lanes past the end hold numbers that are no photons: their values are dropped.
-        let [e, v] = kernel.values(photons);
-        last_excess.copy_from_slice(&e.0[..last_excess.len()]);
-        last_variance.copy_from_slice(&v.0[..last_variance.len()]);
-    }
+fn avx2<T: Task>(task: T) -> T::Output {
+    task.run()
 }
 
 impl Wide {
     /// The same number for all.
     #[inline(always)]
-    pub(super) fn all(number: f64) -> Wide {
+    pub fn all(number: f64) -> Wide {
         Wide([number; WIDTH])
+    }
+
+    /// `first`, `first + 1`, and so on.
+    #[inline(always)]
+    pub fn from(first: f64) -> Wide {
+        Wide(array::from_fn(|lane| first + lane as f64))
     }
 
     /// The larger number of each pair.
     #[inline(always)]
-    pub(super) fn max(self, other: Wide) -> Wide {
+    pub fn max(self, other: Wide) -> Wide {
         self.with(other, f64::max)
     }
 
