@@ -1,9 +1,9 @@
 //! Neighbouring photons as columns of double intervals: one step of an expression at a time for all of
-//! them, which compilers turn into wide lanes.
+//! them, in wide lanes.
 
 use super::expression::{Arithmetic, Variable};
 use crate::formula::Function;
-use crate::number::{Double, Interval};
+use crate::number::{Double, Interval, Lanes, Task, WIDTH};
 use rug::Rational;
 use rug::float::Round;
 
@@ -11,14 +11,23 @@ use rug::float::Round;
 #[derive(Clone, Debug)]
 pub(super) enum Column {
     Same(Double),
-    Each { low: Vec<f64>, high: Vec<f64> },
+    Each(Ends),
+}
+
+/// Intervals by their ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Ends {
+    low: Vec<f64>,
+    high: Vec<f64>,
 }
 
 impl Column {
-    /// The value of each of `count` photons.
-    pub(super) fn each(values: impl Iterator<Item = Double>) -> Column {
-        let (low, high) = values.map(|x| (x.low, x.high)).unzip();
-        Column::Each { low, high }
+    /// These numbers themselves.
+    fn points(values: Vec<f64>) -> Column {
+        Column::Each(Ends {
+            low: values.clone(),
+            high: values,
+        })
     }
 
     /// The values of `count` photons one by one.
@@ -28,49 +37,76 @@ impl Column {
                 low: vec![value.low; count],
                 high: vec![value.high; count],
             },
-            Column::Each { low, high } => Ends { low, high },
+            Column::Each(ends) => ends,
         }
     }
 
     fn map(self, f: impl Fn(Double) -> Double) -> Column {
         match self {
             Column::Same(x) => Column::Same(f(x)),
-            Column::Each { mut low, mut high } => {
-                for (low, high) in low.iter_mut().zip(&mut high) {
-                    let y = f(Double {
-                        low: *low,
-                        high: *high,
-                    });
-                    (*low, *high) = (y.low, y.high);
-                }
-                Column::Each { low, high }
+            Column::Each(mut values) => {
+                Lanes::best().run(Map(&mut values, f));
+                Column::Each(values)
             }
         }
     }
 
     fn zip(self, other: Column, f: impl Fn(Double, Double) -> Double) -> Column {
         match (self, other) {
-            (x, Column::Same(y)) => x.map(|x| f(x, y)),
-            (Column::Same(x), y) => y.map(|y| f(x, y)),
-            (Column::Each { mut low, mut high }, Column::Each { low: l, high: h }) => {
-                for (((low, high), &l), &h) in low.iter_mut().zip(&mut high).zip(&l).zip(&h) {
-                    let x = Double {
-                        low: *low,
-                        high: *high,
-                    };
-                    let y = f(x, Double { low: l, high: h });
-                    (*low, *high) = (y.low, y.high);
-                }
-                Column::Each { low, high }
+            (x, Column::Same(y)) => x.map(
+                #[inline(always)]
+                |x| f(x, y),
+            ),
+            (Column::Same(x), y) => y.map(
+                #[inline(always)]
+                |y| f(x, y),
+            ),
+            (Column::Each(mut values), Column::Each(others)) => {
+                Lanes::best().run(Zip(&mut values, &others, f));
+                Column::Each(values)
             }
         }
     }
 }
 
-/// Intervals by their ends.
-pub(super) struct Ends {
-    low: Vec<f64>,
-    high: Vec<f64>,
+/// One step for all photons.
+struct Map<'a, F>(&'a mut Ends, F);
+
+impl<F: Fn(Double) -> Double> Task for Map<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Map(Ends { low, high }, f) = self;
+        for (low, high) in low.iter_mut().zip(high) {
+            let y = f(Double {
+                low: *low,
+                high: *high,
+            });
+            (*low, *high) = (y.low, y.high);
+        }
+    }
+}
+
+/// One step for all photons with the values of another column.
+struct Zip<'a, F>(&'a mut Ends, &'a Ends, F);
+
+impl<F: Fn(Double, Double) -> Double> Task for Zip<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Zip(Ends { low, high }, others, f) = self;
+        let others = others.low.iter().zip(&others.high);
+        for ((low, high), (&l, &h)) in low.iter_mut().zip(high).zip(others) {
+            let x = Double {
+                low: *low,
+                high: *high,
+            };
+            let y = f(x, Double { low: l, high: h });
+            (*low, *high) = (y.low, y.high);
+        }
+    }
 }
 
 impl Ends {
@@ -84,12 +120,12 @@ impl Ends {
 
     /// The least lower end; a NaN if there is one, `+inf` of none.
     pub(super) fn least(&self) -> f64 {
-        least(self.low.iter().copied())
+        Lanes::best().run(Least(&self.low, 1.0))
     }
 
     /// The greatest upper end.
     pub(super) fn greatest(&self) -> f64 {
-        -least(self.high.iter().map(|x| -x))
+        -Lanes::best().run(Least(&self.high, -1.0))
     }
 
     /// Forgets the value at a photon.
@@ -108,16 +144,26 @@ impl Ends {
     }
 }
 
-/// In lanes: a compiler must not change the order of comparisons by itself.
-fn least(values: impl Iterator<Item = f64>) -> f64 {
-    const LANES: usize = 8;
-    let smaller = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
-    let mut lanes = [f64::INFINITY; LANES];
-    for (index, value) in values.enumerate() {
-        let lane = &mut lanes[index % LANES];
-        *lane = smaller(*lane, value);
+/// The least of the numbers times 1 or -1, lane by lane: a compiler must not change the order of comparisons by itself.
+struct Least<'a>(&'a [f64], f64);
+
+impl Task for Least<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let Least(values, sign) = self;
+        let smaller = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
+        let (wide, last) = values.as_chunks::<WIDTH>();
+        let mut lanes = [f64::INFINITY; WIDTH];
+        for values in wide {
+            for (lane, value) in lanes.iter_mut().zip(values) {
+                *lane = smaller(*lane, sign * value);
+            }
+        }
+        let last = last.iter().map(|value| sign * value);
+        lanes.into_iter().chain(last).fold(f64::INFINITY, smaller)
     }
-    lanes.into_iter().fold(f64::INFINITY, smaller)
 }
 
 /// Neighbouring photons of one shell, or of shells of one photon each.
@@ -135,16 +181,6 @@ pub(super) struct Photons<'a> {
     pub(super) variance_bound: f64,
 }
 
-/// A whole number below 2^53 as it is, a larger one rounded outwards.
-fn whole(n: u64) -> Double {
-    let x = n as f64;
-    if n < 1 << 53 {
-        Double::point(x)
-    } else {
-        Double::around(x, f64::EPSILON)
-    }
-}
-
 impl Arithmetic for Photons<'_> {
     type Value = Column;
 
@@ -156,19 +192,21 @@ impl Arithmetic for Photons<'_> {
     }
 
     fn variable(&self, variable: Variable) -> Column {
-        let values = |values: &[f64], bound: f64| {
-            Column::each(values.iter().map(|&x| Double::around(x, bound)))
+        let around = |values: &[f64], bound: f64| {
+            Column::points(values.to_vec()).map(
+                #[inline(always)]
+                |x| Double::around(x.low, bound),
+            )
         };
+        // Whole numbers up to 2^53 are doubles, and no shell lies so far out.
         let count = self.excess.len() as u64;
+        let from = |first: u64| Column::points((first..first + count).map(|n| n as f64).collect());
         match variable {
-            Variable::Photon => Column::each((0..count).map(|i| whole(self.first + i))),
-            Variable::Position => match self.position {
-                Some(first) => Column::each((0..count).map(|i| whole(first + i))),
-                None => Column::Same(whole(1)),
-            },
-            Variable::Count => Column::Same(whole(self.count)),
-            Variable::Excess => values(self.excess, self.excess_bound),
-            Variable::Variance => values(self.variance, self.variance_bound),
+            Variable::Photon => from(self.first),
+            Variable::Position => self.position.map_or(Column::Same(Double::point(1.0)), from),
+            Variable::Count => Column::Same(Double::point(self.count as f64)),
+            Variable::Excess => around(self.excess, self.excess_bound),
+            Variable::Variance => around(self.variance, self.variance_bound),
         }
     }
 
@@ -181,7 +219,18 @@ impl Arithmetic for Photons<'_> {
     }
 
     fn power(&self, a: Column, n: u32) -> Column {
-        a.map(|x| x.power(n))
+        let base = match n.is_multiple_of(2) {
+            true => a.map(Double::magnitude),
+            false => a,
+        };
+        let mut result = base.clone();
+        for bit in (0..n.max(1).ilog2()).rev() {
+            result = result.clone().zip(result, Double::times);
+            if n >> bit & 1 == 1 {
+                result = result.zip(base.clone(), Double::times);
+            }
+        }
+        result
     }
 
     fn reciprocal(&self, a: Column) -> Column {

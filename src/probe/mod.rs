@@ -310,6 +310,10 @@ impl Asked<'_> {
         let mut values = term.value.value(self.photons).ends(self.count());
         for divisor in &term.divisors {
             let divisor = divisor.value(self.photons).ends(self.count());
+            // The usual case: it is 0 nowhere.
+            if divisor.least() > 0.0 || divisor.greatest() < 0.0 {
+                continue;
+            }
             for index in 0..self.count() {
                 let Double { low, high } = divisor.at(index);
                 if !(low > 0.0 || high < 0.0) {
@@ -321,10 +325,12 @@ impl Asked<'_> {
             (term.names_excess, self.photons.excess),
             (term.names_variance, self.photons.variance),
         ] {
-            for (index, number) in numbers.iter().enumerate() {
-                if named && number.is_infinite() {
-                    values.forget(index);
-                }
+            let infinite = |x: &f64| x.is_infinite();
+            if !named || !numbers.iter().fold(false, |some, x| some | infinite(x)) {
+                continue;
+            }
+            for (index, _) in numbers.iter().enumerate().filter(|(_, x)| infinite(x)) {
+                values.forget(index);
             }
         }
         values
