@@ -14,6 +14,7 @@ fn question(layout: &str, (first, last): (u64, u64), quantity: &str, claim: &str
         last,
         quantity: text(quantity),
         claim: text(claim),
+        ..Question::default()
     }
 }
 
@@ -59,7 +60,7 @@ fn extremes_are_those_of_brute_force() {
             Layout::Listing => "listing",
             _ => "one",
         };
-        let found = asked(question(name, (10, 99), "k*Var_k", "")).decades[&1].clone();
+        let found = asked(question(name, (10, 99), "k*Var_k", "")).decades()[&1].clone();
         let values = (10u64..100).map(|k| {
             let shell = layout.shell(&k.into()).expect("a photon");
             let [variance] = enclose_all([Quantity::Variance], &shell, 40).expect("finite");
@@ -175,7 +176,7 @@ fn what_may_have_no_value_holds_nowhere() {
         assert_eq!(found.links[0].infinite.count, 1, "{claim}");
     }
     let found = asked(question("triangular", (2, 4), "(l - 1)^2/(l - 1)", ""));
-    assert_eq!(found.decades[&0].untold, 2);
+    assert_eq!(found.decades()[&0].untold, 2);
     for formula in ["pi", "pi*k", "ln(k)^0", "1/(k - k)", "k^k", "k^(1/3)"] {
         let refused = Probe::new(question("one", (1, 2), formula, ""));
         assert!(matches!(refused, Err(Error::NotAsked(_))), "{formula}");
@@ -192,7 +193,7 @@ fn photons_without_a_finite_value_are_told_apart() {
     assert!(!found.links[0].holds());
     // The variance of photon 2 of one ball is infinite, its mean is not.
     let found = asked(question("9", (1, 9), "Var_k", "E_k > 1"));
-    assert_eq!(found.decades[&0].untold, 2);
+    assert_eq!(found.decades()[&0].untold, 2);
     assert_eq!(found.links[0].infinite.first, [1]);
 }
 
@@ -201,7 +202,7 @@ fn numbers_beyond_doubles_are_decided() {
     assert_eq!(failing("triangular", (740, 1000), "exp(-k) > 0"), [0; 0]);
     assert_eq!(failing("triangular", (4, 20), "1/k^400 > 0"), [0; 0]);
     let found = asked(question("triangular", (700, 720), "exp(k)", "exp(k) > 1"));
-    assert_eq!(found.decades[&2].untold, 11);
+    assert_eq!(found.decades()[&2].untold, 11);
     assert!(found.links[0].holds());
 }
 
@@ -334,4 +335,119 @@ fn tempfile() -> std::path::PathBuf {
     let folder = std::env::temp_dir().join(format!("claimcheck-probe-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("writable");
     folder
+}
+
+#[test]
+fn a_sample_takes_both_ends_of_each_shell() {
+    let whole = question("triangular", (5_000, 300_000), "E_k - 1", "E_k < 1 + 1/k");
+    let sampled = Question {
+        sample: Some(3),
+        ..whole.clone()
+    };
+    let (all, some) = (asked(whole), asked(sampled));
+    // Shells 100 to 774, of 24 photons each; the range cuts into the first and the last one.
+    assert!(some.photons > 24 * 670 && some.photons <= 24 * 675);
+    // The extremes of E_k lie at the ends of shells.
+    assert_eq!(all.decades()[&5].least, some.decades()[&5].least);
+    assert_eq!(all.decades()[&5].greatest, some.decades()[&5].greatest);
+    // A shell of no more photons than the stretches hold is asked whole.
+    let small = Question {
+        sample: Some(2),
+        ..question("9,16,5", (1, 30), "Var_k", "")
+    };
+    assert_eq!(asked(small).photons, 30);
+}
+
+#[test]
+fn a_sample_does_not_depend_on_where_it_begins() {
+    let asked_from = |first: u64| {
+        let question = Question {
+            sample: Some(4),
+            shells: true,
+            ..question("triangular", (first, 20_000), "E_k", "")
+        };
+        asked(question).shells
+    };
+    // Shell 150 is 11176..=11325; whatever comes before it does not matter.
+    let (one, other) = (asked_from(9_000), asked_from(11_000));
+    let later = |shells: &std::collections::BTreeMap<u64, _>| {
+        shells
+            .range(11_176..)
+            .map(|(k, _)| *k)
+            .collect::<Vec<u64>>()
+    };
+    assert_eq!(later(&one), later(&other));
+    assert!(one.range(11_176..).eq(other.range(11_176..)));
+    // A range that begins within a gap begins with the next stretch.
+    assert_eq!(asked_from(11_190)[&11_176].photons, 24);
+    assert_eq!(asked_from(11_316)[&11_176].photons, 8);
+    assert_eq!(asked_from(11_320)[&11_176].photons, 6);
+}
+
+#[test]
+fn shells_add_up_across_chunks_and_tell_their_extremes() {
+    // The bound between two chunks, 2^20 photons on, lies within a shell.
+    let question = Question {
+        shells: true,
+        ..question("triangular", (4, 1_100_000), "Var_k", "E_k < 1 + 1/k")
+    };
+    let found = asked(question);
+    assert_eq!(found.shells.len(), 1483 - 3 + 1);
+    assert_eq!(
+        found
+            .shells
+            .values()
+            .map(|shell| shell.photons)
+            .sum::<u64>(),
+        found.photons
+    );
+    let first = |m: u64| m * (m - 1) / 2 + 1;
+    for m in [4, 100, 1448, 1449, 1450] {
+        let shell = &found.shells[&first(m)];
+        assert_eq!(shell.photons, m);
+        let least = shell.least.expect("finite");
+        assert!([first(m), first(m + 1) - 1].contains(&least.k), "{least:?}");
+        assert!(least.low <= shell.greatest.expect("finite").high);
+    }
+}
+
+#[test]
+fn questions_about_too_many_shells_or_stretches_are_refused() {
+    let whole = question("one", (1, 100), "E_k", "");
+    let refused = |question: Question| Probe::new(question).err();
+    let shells = |question: Question| Question {
+        shells: true,
+        ..question
+    };
+    assert!(matches!(
+        refused(shells(whole.clone())),
+        Some(Error::Shells(100))
+    ));
+    let many = question("triangular", (1, 1_000_000_000_000_000), "E_k", "");
+    assert!(matches!(refused(shells(many)), Some(Error::Shells(_))));
+    for sample in [0, 1, 4097, u64::MAX] {
+        let question = Question {
+            sample: Some(sample),
+            ..whole.clone()
+        };
+        assert!(matches!(refused(question), Some(Error::Sample(_))));
+    }
+}
+
+#[test]
+fn bins_are_tenths_of_a_decade() {
+    use claimcheck::probe::bin;
+    let mut k = 1;
+    let mut starts = vec![];
+    while k < 10_000 {
+        let (first, next) = bin(k);
+        assert_eq!(first, k);
+        assert_eq!(bin(next - 1), (first, next));
+        starts.push(first);
+        k = next;
+    }
+    assert_eq!(starts.iter().filter(|&&start| start >= 1000).count(), 10);
+    assert_eq!(starts.iter().filter(|&&start| start < 10).count(), 7);
+    assert_eq!(bin(999_999_999_999_999).1, 1_000_000_000_000_000);
+    bin(u64::MAX);
 }

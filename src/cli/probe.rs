@@ -26,6 +26,9 @@ pub(super) struct Probe {
     /// A chain such as 1 + 1/k^2 < E_k < 1 + 1/k: where it fails, and how nearly
     #[arg(long, value_name = "CLAIM", allow_hyphen_values = true)]
     claim: Option<String>,
+    /// Of each shell N stretches of 8 neighbours only, the first and the last photon among them
+    #[arg(long, value_name = "N")]
+    sample: Option<u64>,
     /// A file that keeps what is done: the same command goes on from there
     #[arg(long, value_name = "FILE")]
     journal: Option<PathBuf>,
@@ -33,11 +36,17 @@ pub(super) struct Probe {
     #[arg(long, value_name = "I/N", value_parser = shard, requires = "journal")]
     shard: Option<(u64, u64)>,
     /// Joins the journals of shards and prints what they come to
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["layout", "k", "quantity", "claim", "journal"])]
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["layout", "k", "sample", "quantity", "claim", "journal"])]
     merge: Vec<PathBuf>,
     /// The table by decades as CSV
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// The same for each shell as CSV
+    #[arg(long, value_name = "FILE")]
+    shells: Option<PathBuf>,
+    /// A picture of it
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
     /// Threads [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
@@ -134,6 +143,16 @@ impl Probe {
         if let Some(path) = &self.csv {
             write(path, &report::probe::csv(&sweep, &summary))?;
         }
+        if let Some(path) = &self.shells {
+            if !sweep.question().shells {
+                let hint = Some("give --shells to each shard as well");
+                return Err(Failure::input("the journals do not tell of shells", hint));
+            }
+            write(path, &report::probe::shells(&sweep, &summary))?;
+        }
+        if let Some(path) = &self.svg {
+            write(path, &report::probe::picture(&sweep, &summary))?;
+        }
         to_stdout(&match self.format {
             Format::Human => report::probe::human(&sweep, &summary),
             Format::Json => report::probe::json(&sweep, &summary),
@@ -158,6 +177,8 @@ impl Probe {
             last,
             quantity: self.quantity.clone(),
             claim: self.claim.clone(),
+            sample: self.sample,
+            shells: self.shells.is_some(),
         })
         .map_err(refused)?;
         let journal = match &self.journal {
@@ -221,6 +242,7 @@ fn refused(error: Error) -> Failure {
             return Failure::rendered(diagnostic::render(option, text, diagnostic));
         }
         Error::Layout(_) => Some("triangular, listing, one, or numbers of photons: 5,7,9"),
+        Error::Shells(_) => Some("ask for fewer photons, or leave out --shells"),
         Error::NoPhoton(_) => Some("ask for photons that it has: --k A..B"),
         Error::NotAsked(NotAsked::UnknownName(_)) => {
             Some("the model has k, l, m, Va, V, E_k and Var_k")

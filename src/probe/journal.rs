@@ -17,7 +17,7 @@ struct Head {
 }
 
 /// Raised by whoever changes what a chunk is or how one is asked: older journals are of no use then.
-const SCHEME: u32 = 1;
+const SCHEME: u32 = 2;
 
 /// Any other line.
 #[derive(Debug, Serialize, Deserialize)]

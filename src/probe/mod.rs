@@ -17,6 +17,7 @@
 //!     last: 100_000,
 //!     quantity: Some("k*Var_k".into()),
 //!     claim: Some("1 + 1/k^2 < E_k < 1 + 1/k".into()),
+//!     ..Question::default()
 //! })?;
 //! let mut all = claimcheck::probe::Summary::default();
 //! for chunk in 0..probe.chunks() {
@@ -35,14 +36,14 @@ mod summary;
 
 pub use expression::NotAsked;
 pub use journal::{Journal, JournalError};
-pub use summary::{Decade, Extreme, Named, Summary, Tally};
+pub use summary::{Extreme, Named, Stretch, Summary, Tally, bin};
 
 use crate::formula::{
     Diagnostic, Formula, Operator, Relation, Statement, parse_formula, parse_statement,
 };
 use crate::model::{Layout, Shell};
 use crate::number::{Double, Interval};
-use crate::special::doubles::{Block, Doubles, DoublesError};
+use crate::special::doubles::{Block, Doubles, DoublesError, MOST_STRETCHES};
 use column::{Ends, Photons};
 use expression::Term;
 use photon::Found;
@@ -61,11 +62,14 @@ const MOST_CHUNKS: u64 = 1 << 12;
 /// No photon beyond this: doubles serve shells up to the volume 2^50.
 const FARTHEST: u64 = 1_000_000_000_000_000;
 
+/// No more shells than this are told of one by one.
+const MOST_SHELLS: u64 = 1 << 20;
+
 /// Digits to which the extremes of a quantity are told where doubles do not tell them.
 const DIGITS: u32 = 15;
 
 /// What is asked, as it was written.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Question {
     /// `triangular`, `listing`, `one`, or the shells' numbers of photons: `5,7,9`.
     pub layout: String,
@@ -76,6 +80,10 @@ pub struct Question {
     pub quantity: Option<String>,
     /// A chain of inequalities over the same.
     pub claim: Option<String>,
+    /// Not all photons: of each shell so many stretches of eight neighbours, see [`Doubles::sampled`].
+    pub sample: Option<u64>,
+    /// Whether each shell is told of by itself.
+    pub shells: bool,
 }
 
 /// Why there is nothing to ask, or no answer.
@@ -90,6 +98,12 @@ pub enum Error {
     /// The layout has no such photon.
     #[error("the layout has no photon {0}")]
     NoPhoton(u64),
+    /// The sample is too small or too large.
+    #[error("of a shell 2 to {MOST_STRETCHES} stretches are taken, not {0}")]
+    Sample(u64),
+    /// Shells of one photon, or too many of them.
+    #[error("{0} shells are too many to be told of one by one, or they have one photon each")]
+    Shells(u64),
     /// No such chunk.
     #[error("there is no chunk {0}")]
     NoChunk(u64),
@@ -173,6 +187,17 @@ impl Probe {
                 return Err(Error::NoPhoton(k));
             }
         }
+        if let Some(stretches) = question.sample
+            && !(2..=MOST_STRETCHES).contains(&stretches)
+        {
+            return Err(Error::Sample(stretches));
+        }
+        if question.shells {
+            let shells = shells_between(&layout, question.first, question.last);
+            if layout == Layout::One || shells > MOST_SHELLS {
+                return Err(Error::Shells(shells));
+            }
+        }
         let quantity = match &question.quantity {
             Some(text) => {
                 let formula = parse_formula(text).map_err(|e| syntax("--quantity", text, e))?;
@@ -202,6 +227,12 @@ impl Probe {
         self.links.iter().map(|link| link.text.as_str())
     }
 
+    /// How many photons the shell of photon k holds; 0 where the layout has no such photon.
+    pub fn shell_size(&self, k: u64) -> u64 {
+        let shell = self.layout.shell(&k.into());
+        shell.and_then(|shell| shell.count.to_u64()).unwrap_or(0)
+    }
+
     /// Photons a chunk, the last one perhaps fewer.
     pub fn chunk_size(&self) -> u64 {
         let photons = self.question.last - self.question.first + 1;
@@ -228,6 +259,9 @@ impl Probe {
             ..Summary::default()
         };
         let mut doubles = Doubles::new(&self.layout, first, last)?;
+        if let Some(stretches) = self.question.sample {
+            doubles = doubles.sampled(stretches);
+        }
         while let Some(block) = doubles.next_block()? {
             self.ask_block(&block, &mut summary);
         }
@@ -238,8 +272,7 @@ impl Probe {
         let mut start = 0;
         while start < block.excess.len() {
             let first = block.first + start as u64;
-            let decade = first.ilog10();
-            let next = 10u64.pow(decade + 1);
+            let (bin, next) = summary::bin(first);
             let end = block.excess.len().min(start + (next - first) as usize);
             let photons = Photons {
                 first,
@@ -254,16 +287,23 @@ impl Probe {
                 excess_bound: block.bounds.excess,
                 variance_bound: block.bounds.variance,
             };
-            summary.photons += (end - start) as u64;
-            let decade = summary.decades.entry(decade).or_default();
-            decade.photons += (end - start) as u64;
+            let mut stretch = Stretch {
+                photons: (end - start) as u64,
+                ..Stretch::default()
+            };
             Asked {
                 probe: self,
                 photons: &photons,
-                decade,
+                stretch: &mut stretch,
                 refined: &mut summary.refined,
             }
             .ask(&mut summary.links);
+            summary.photons += stretch.photons;
+            if self.question.shells {
+                let shell = summary.shells.entry(block.inner + 1).or_default();
+                shell.merge(&stretch);
+            }
+            summary.bins.entry(bin).or_default().merge(&stretch);
             start = end;
         }
     }
@@ -283,11 +323,11 @@ impl Probe {
     }
 }
 
-/// Neighbours of one decade, being asked.
+/// Neighbours of one bin, being asked.
 struct Asked<'a> {
     probe: &'a Probe,
     photons: &'a Photons<'a>,
-    decade: &'a mut Decade,
+    stretch: &'a mut Stretch,
     refined: &'a mut u64,
 }
 
@@ -340,9 +380,9 @@ impl Asked<'_> {
         let column = self.column(quantity);
         if column.least().is_finite() && column.greatest().is_finite() {
             let (least, greatest) = (column.where_least(), column.where_greatest());
-            self.decade
+            self.stretch
                 .take_least(self.extreme(least, column.at(least)));
-            self.decade
+            self.stretch
                 .take_greatest(self.extreme(greatest, column.at(greatest)));
             return;
         }
@@ -357,12 +397,12 @@ impl Asked<'_> {
                 }
             }
             if !value.is_finite() {
-                self.decade.untold += 1;
+                self.stretch.untold += 1;
                 continue;
             }
             let extreme = self.extreme(index, value);
-            self.decade.take_least(extreme);
-            self.decade.take_greatest(extreme);
+            self.stretch.take_least(extreme);
+            self.stretch.take_greatest(extreme);
         }
     }
 
@@ -372,7 +412,7 @@ impl Asked<'_> {
         if link.wanted == Wanted::Positive && positive {
             // The usual case: it holds for all.
             let least = column.where_least();
-            self.decade
+            self.stretch
                 .take_margin(number, self.extreme(least, column.at(least)));
             return;
         }
@@ -402,7 +442,7 @@ impl Asked<'_> {
                 None => tally.undecided.add(self.number(index)),
             }
             if link.wanted.has_margin() && value.is_finite() {
-                self.decade.take_margin(number, self.extreme(index, value));
+                self.stretch.take_margin(number, self.extreme(index, value));
             }
         }
     }
@@ -455,6 +495,23 @@ fn layout(text: &str) -> Result<Layout, Error> {
                 .map(Layout::Sequence)
                 .ok_or_else(|| Error::Layout(text.to_owned()))
         }
+    }
+}
+
+/// How many shells hold the photons `first..=last`.
+fn shells_between(layout: &Layout, first: u64, last: u64) -> u64 {
+    match layout {
+        Layout::Triangular | Layout::Listing => {
+            let count = |k: u64| {
+                layout
+                    .shell(&k.into())
+                    .and_then(|shell| shell.count.to_u64())
+            };
+            count(last).unwrap_or(u64::MAX) - count(first).unwrap_or(0) + 1
+        }
+        Layout::Sequence(counts) => counts.len() as u64,
+        Layout::One => last - first + 1,
+        Layout::Unstratified(_) => 1,
     }
 }
 

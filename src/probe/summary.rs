@@ -6,22 +6,46 @@ use std::collections::BTreeMap;
 /// No more photons than this are named for a link.
 pub const MOST_NAMED: usize = 10;
 
-/// A stretch of photons.
+/// What was found of some photons.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// How many photons were asked.
     pub photons: u64,
     /// How many values were computed one by one, because doubles did not decide.
     pub refined: u64,
-    /// By the number of digits of k, less 1.
-    pub decades: BTreeMap<u32, Decade>,
+    /// Ten stretches of every decade, by the least number that belongs there: see [`bin`].
+    pub bins: BTreeMap<u64, Stretch>,
+    /// The shells, by their first photon, where they are asked for.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub shells: BTreeMap<u64, Stretch>,
     /// For each link of the claim.
     pub links: Vec<Tally>,
 }
 
-/// The photons `10^n <= k < 10^(n+1)`.
+/// Where the bins of a decade begin, in hundredths: the preferred numbers R10 (ISO 3), nearly even by logarithm.
+const BINS: [u64; 10] = [100, 125, 160, 200, 250, 315, 400, 500, 630, 800];
+
+/// The first photon of the bin of photon k >= 1, and of the next bin.
+///
+/// ```
+/// use claimcheck::probe::bin;
+/// assert_eq!(bin(999), (800, 1000));
+/// assert_eq!(bin(1), (1, 2));
+/// ```
+pub fn bin(k: u64) -> (u64, u64) {
+    let decade = 10u64.pow(k.max(1).ilog10());
+    let starts = BINS.map(|part| (u128::from(decade) * u128::from(part)).div_ceil(100) as u64);
+    let next = starts.into_iter().find(|&start| start > k);
+    let first = starts.into_iter().rfind(|&start| start <= k);
+    (
+        first.unwrap_or(decade),
+        next.unwrap_or(decade.saturating_mul(10)),
+    )
+}
+
+/// Photons in a row, as far as they were asked.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Decade {
+pub struct Stretch {
     /// How many photons.
     pub photons: u64,
     /// How many of them have no value of the quantity, or none that is known and a finite double.
@@ -97,7 +121,7 @@ impl Extreme {
     }
 }
 
-impl Decade {
+impl Stretch {
     pub(super) fn take_least(&mut self, extreme: Extreme) {
         self.least = least(self.least, Some(extreme));
     }
@@ -114,7 +138,8 @@ impl Decade {
         self.margins[link] = least(self.margins[link], Some(extreme));
     }
 
-    fn merge(&mut self, other: &Decade) {
+    /// Both as one.
+    pub(super) fn merge(&mut self, other: &Stretch) {
         self.photons += other.photons;
         self.untold += other.untold;
         self.least = least(self.least, other.least);
@@ -137,12 +162,25 @@ impl Tally {
 }
 
 impl Summary {
-    /// Both stretches as one.
+    /// The photons `10^n <= k < 10^(n+1)`, by n.
+    pub fn decades(&self) -> BTreeMap<u32, Stretch> {
+        let mut decades: BTreeMap<u32, Stretch> = BTreeMap::new();
+        for (first, found) in &self.bins {
+            let decade = first.max(&1).ilog10();
+            decades.entry(decade).or_default().merge(found);
+        }
+        decades
+    }
+
+    /// Both as one.
     pub fn merge(&mut self, other: &Summary) {
         self.photons += other.photons;
         self.refined += other.refined;
-        for (decade, found) in &other.decades {
-            self.decades.entry(*decade).or_default().merge(found);
+        for (first, found) in &other.bins {
+            self.bins.entry(*first).or_default().merge(found);
+        }
+        for (first, found) in &other.shells {
+            self.shells.entry(*first).or_default().merge(found);
         }
         if self.links.len() < other.links.len() {
             self.links.resize(other.links.len(), Tally::default());

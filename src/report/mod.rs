@@ -4,6 +4,7 @@
 //! Every format is a function from a [`crate::corpus::Run`] to a `String`. Colours are written as
 //! terminal escapes; the stream that prints a report takes them out where no terminal reads it.
 
+pub mod chart;
 pub mod diagnostic;
 pub mod proof;
 mod style;

@@ -57,6 +57,9 @@ const FARTHEST: u64 = 1 << 50;
 /// Blocks hold no more photons than this, so that they stay in the processor's nearest cache.
 const MOST_PHOTONS: usize = 1 << 11;
 
+/// No more stretches of a shell are taken in a sample.
+pub const MOST_STRETCHES: u64 = 1 << 12;
+
 /// Bounds of relative errors: the true value v and the double x have `|x - v| <= bound * x`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -103,6 +106,7 @@ pub struct Doubles<'a> {
     places: Places<'a>,
     last: u64,
     lanes: Lanes,
+    sample: Option<u64>,
     excess: Vec<f64>,
     variance: Vec<f64>,
 }
@@ -117,6 +121,7 @@ impl<'a> Doubles<'a> {
             places: Places::new(layout, first)?,
             last,
             lanes: Lanes::best(),
+            sample: None,
             excess: vec![0.0; MOST_PHOTONS],
             variance: vec![0.0; MOST_PHOTONS],
         })
@@ -128,25 +133,51 @@ impl<'a> Doubles<'a> {
         Doubles { lanes, ..self }
     }
 
+    /// Of each shell only so many stretches of eight neighbours, evenly spaced, its first and its last photon among them;
+    /// a shell of no more photons than that is walked through whole. At least 2 and at most [`MOST_STRETCHES`] are taken.
+    ///
+    /// ```
+    /// use claimcheck::model::Layout;
+    /// use claimcheck::special::doubles::Doubles;
+    /// // Shell 100 of strategy 2 holds the photons 4951..=5050.
+    /// let mut doubles = Doubles::new(&Layout::Triangular, 4951, 5050)?.sampled(3);
+    /// let mut stretches = vec![];
+    /// while let Some(block) = doubles.next_block()? {
+    ///     stretches.push((block.first, block.excess.len()));
+    /// }
+    /// assert_eq!(stretches, [(4951, 8), (4997, 8), (5043, 8)]);
+    /// # Ok::<(), claimcheck::special::doubles::DoublesError>(())
+    /// ```
+    #[must_use]
+    pub fn sampled(self, stretches: u64) -> Doubles<'a> {
+        Doubles {
+            sample: Some(stretches.clamp(2, MOST_STRETCHES)),
+            ..self
+        }
+    }
+
     /// The next photons, at most 2048; `None` after the last.
     ///
     /// # Errors
     /// `TooFar` and `Domain`, for the shell at hand; an error stays.
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>, DoublesError> {
-        let Some(place) = self.places.at_hand() else {
+        let Some(mut place) = self.places.at_hand() else {
             return Ok(None);
         };
+        let mut left = place.left();
+        if let Some(stretches) = self.sample {
+            let stretch = place.stretch(stretches);
+            self.places.pass(stretch.start - place.position);
+            place.position = stretch.start;
+            left = stretch.end - stretch.start;
+        }
         let first = place.photon();
         if first > self.last {
             return Ok(None);
         }
         let layout = self.places.layout();
         let single = *layout == Layout::One;
-        let room = if single {
-            one::room(first)
-        } else {
-            place.left()
-        };
+        let room = if single { one::room(first) } else { left };
         let count = room.min(self.last - first + 1).min(MOST_PHOTONS as u64);
         let excess = &mut self.excess[..count as usize];
         let variance = &mut self.variance[..count as usize];

@@ -2,7 +2,9 @@
 
 use super::{DoublesError, FARTHEST};
 use crate::model::{Layout, Shell};
+use crate::number::WIDTH;
 use rug::{Integer, Rational};
+use std::ops::Range;
 
 /// A photon's place: the l-th of `size` in a shell of volume `size` around `inner`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +32,24 @@ impl Place {
     /// How many photons of the shell are left, this one among them.
     pub(super) fn left(self) -> u64 {
         self.size - self.position + 1
+    }
+
+    /// The stretch of a sample that this place lies in, from here on, or else the next one in its shell; as positions.
+    /// Stretch i of n begins at `1 + i (m - 8)/(n - 1)`, rounded down, for i from 0 to n - 1 >= 1.
+    pub(super) fn stretch(self, stretches: u64) -> Range<u64> {
+        let width = WIDTH as u64;
+        if self.size <= width * stretches {
+            return self.position..self.size + 1;
+        }
+        let (gaps, room) = (stretches - 1, self.size - width);
+        let start = |index: u64| 1 + index * room / gaps;
+        // The last one that begins not after this place, or the one before it.
+        let near = (self.position - 1) * gaps / room;
+        let mut starts = (near..=gaps).map(start);
+        let start = starts
+            .find(|start| start + width > self.position)
+            .unwrap_or(1 + room);
+        start.max(self.position)..start + width
     }
 
     fn new(shell: &Shell) -> Result<Place, DoublesError> {

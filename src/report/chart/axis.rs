@@ -1,0 +1,143 @@
+//! Where numbers lie along an axis, and which are written there.
+
+use super::Scale;
+
+/// An axis with its range, from 0 to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Ruler {
+    scale: Scale,
+    from: f64,
+    to: f64,
+}
+
+/// A line across the panel, and what is written there.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    pub(super) value: f64,
+    pub(super) label: Label,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Label {
+    Plain(String),
+    /// 10 to this power.
+    Power(i32),
+    /// A minor tick.
+    None,
+}
+
+/// Ticks with a label, about.
+const TICKS: f64 = 7.0;
+
+impl Ruler {
+    /// Holds all the values that the scale can show, with a little room.
+    pub(super) fn new(scale: Scale, values: impl Iterator<Item = f64>) -> Ruler {
+        let shown = |x: &f64| x.is_finite() && (scale == Scale::Linear || *x > 0.0);
+        let ends = values.filter(shown).fold(None, |ends, x| match ends {
+            None => Some((x, x)),
+            Some((low, high)) => Some((x.min(low), x.max(high))),
+        });
+        let (low, high) = ends.unwrap_or((1.0, 10.0));
+        let (from, to) = match scale {
+            Scale::Linear => (low, high),
+            Scale::Log => (low.log10(), high.log10()),
+        };
+        let room = match to - from {
+            0.0 => from.abs().max(1.0) * 0.05,
+            width => width * 0.03,
+        };
+        Ruler {
+            scale,
+            from: from - room,
+            to: to + room,
+        }
+    }
+
+    /// The place of a number, where 0 is the one end and 1 the other; `None` where it has none.
+    pub(super) fn place(&self, value: f64) -> Option<f64> {
+        let value = match self.scale {
+            Scale::Linear => value,
+            Scale::Log if value > 0.0 => value.log10(),
+            Scale::Log => return None,
+        };
+        let place = (value - self.from) / (self.to - self.from);
+        place.is_finite().then_some(place)
+    }
+
+    pub(super) fn ticks(&self) -> Vec<Tick> {
+        let mut ticks = match self.scale {
+            Scale::Linear => even(self.from, self.to),
+            Scale::Log if self.to - self.from < 1.5 => {
+                // Round numbers, where powers of ten are too few.
+                even(10f64.powf(self.from), 10f64.powf(self.to))
+            }
+            Scale::Log => powers(self.from, self.to),
+        };
+        ticks.retain(|tick| {
+            self.place(tick.value)
+                .is_some_and(|place| (0.0..=1.0).contains(&place))
+        });
+        ticks
+    }
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten.
+fn even(from: f64, to: f64) -> Vec<Tick> {
+    let rough = (to - from) / TICKS;
+    let power = rough.log10().floor();
+    let unit = 10f64.powf(power);
+    let factor = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|factor| factor * unit >= rough)
+        .unwrap_or(10.0);
+    let step = factor * unit;
+    if !(step.is_finite() && step > 0.0) {
+        return vec![];
+    }
+    let digits = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    let first = (from / step).ceil();
+    let count = ((to / step).floor() - first).clamp(0.0, 100.0) as u32;
+    (0..=count)
+        .map(|index| {
+            let value = (first + f64::from(index)) * step;
+            Tick {
+                value,
+                label: Label::Plain(plain(value, digits)),
+            }
+        })
+        .collect()
+}
+
+/// With so many digits after the point, or as a power of ten where that is shorter.
+fn plain(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else if digits > 5 || value.abs() >= 1e6 {
+        format!("{value:.1e}").replace(".0e", "e")
+    } else {
+        format!("{value:.digits$}")
+    }
+}
+
+/// Powers of ten, not too many of them, with minor ticks between neighbours where there is room.
+fn powers(from: f64, to: f64) -> Vec<Tick> {
+    let (first, last) = (from.ceil() as i32, to.floor() as i32);
+    let step = (f64::from(last - first) / TICKS).ceil().max(1.0) as i32;
+    let mut ticks: Vec<Tick> = (first..=last)
+        .filter(|power| power.rem_euclid(step) == 0)
+        .map(|power| Tick {
+            value: 10f64.powi(power),
+            label: Label::Power(power),
+        })
+        .collect();
+    if step == 1 && last - first <= 4 {
+        let minor = (first - 1..=last).flat_map(|power| {
+            (2..10).map(move |digit| Tick {
+                value: f64::from(digit) * 10f64.powi(power),
+                label: Label::None,
+            })
+        });
+        ticks.extend(minor);
+    }
+    ticks
+}
