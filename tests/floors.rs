@@ -259,7 +259,7 @@ fn one_place_alone_is_unsafe() {
         places.extend((0..lifted).map(|_| source.path.clone()));
     }
     assert!(
-        matches!(&places[..], [path] if path.ends_with("special/doubles/lanes.rs")),
+        matches!(&places[..], [path] if path.ends_with("number/lanes.rs")),
         "{places:?}"
     );
 }

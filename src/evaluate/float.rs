@@ -40,7 +40,7 @@ fn within(formula: &Formula, scope: &Scope) -> Result<f64, Failure> {
     })
 }
 
-fn arithmetic(operator: Operator, a: f64, b: f64) -> f64 {
+pub(super) fn arithmetic(operator: Operator, a: f64, b: f64) -> f64 {
     match operator {
         Operator::Add => a + b,
         Operator::Subtract => a - b,
@@ -53,7 +53,7 @@ fn arithmetic(operator: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-fn plain(function: Function) -> Option<fn(f64) -> f64> {
+pub(super) fn plain(function: Function) -> Option<fn(f64) -> f64> {
     Some(match function {
         Function::Abs => f64::abs,
         Function::Sqrt => f64::sqrt,

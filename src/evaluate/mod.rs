@@ -27,6 +27,7 @@ mod line;
 mod mean;
 mod outcome;
 mod pieces;
+mod program;
 mod quadrature;
 mod quantity;
 mod range;
@@ -38,6 +39,7 @@ pub use condition::holds;
 pub use enclose::{enclose, ladder};
 pub use exact::exact;
 pub use float::float;
+pub use program::{Program, Test};
 
 use crate::formula::budget::Exhausted;
 use crate::formula::{Budget, Draw, Point};
