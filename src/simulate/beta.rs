@@ -2,11 +2,11 @@
 //!
 //! George Marsaglia and Wai Wan Tsang, A simple method for generating gamma variables, ACM Transactions on
 //! Mathematical Software 26 (2000); normal variates by George Marsaglia's polar method (SIAM Review 6, 1964).
-//! Both are exact rejection methods: nothing but the rounding of doubles is approximate.
+//! Both are exact rejection methods: nothing but the rounding of doubles is approximate. The logarithm is
+//! our own, the same on every machine.
 
 use super::logarithm::minus_ln;
 use super::stream::Single;
-use crate::number::Wide;
 
 /// A number of the law Beta(a, b), a and b at least 1.
 pub(super) fn beta(random: &mut Single<'_>, a: f64, b: f64) -> f64 {
@@ -28,7 +28,7 @@ fn gamma(random: &mut Single<'_>, a: f64) -> f64 {
         let u = random.uniform();
         // The squeeze: sure to be taken, and nearly always enough.
         let sure = u < 1.0 - 0.0331 * (x * x) * (x * x);
-        if sure || negative_ln(u) > d * (v - 1.0 + negative_ln(v)) - 0.5 * x * x {
+        if sure || minus_ln(u) > d * (v - 1.0 + minus_ln(v)) - 0.5 * x * x {
             return d * v;
         }
     }
@@ -40,13 +40,7 @@ fn normal(random: &mut Single<'_>) -> f64 {
         let (x, y) = (2.0 * random.uniform() - 1.0, 2.0 * random.uniform() - 1.0);
         let square = x * x + y * y;
         if square > 0.0 && square < 1.0 {
-            return x * (2.0 * negative_ln(square) / square).sqrt();
+            return x * (2.0 * minus_ln(square) / square).sqrt();
         }
     }
-}
-
-/// The same on every machine, which the system's logarithm is not.
-fn negative_ln(u: f64) -> f64 {
-    let [result, ..] = minus_ln(Wide::all(u)).0;
-    result
 }

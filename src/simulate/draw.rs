@@ -1,54 +1,50 @@
-//! Draws blocks: eight runs at a time, one a lane, and some such groups together.
+//! Draws blocks, some runs at a time.
 
 use super::beta::beta;
 use super::block::{Block, Way};
 use super::logarithm::minus_ln;
 use super::place::Place;
 use super::scene::{Fault, Scene};
-use super::stream::{Single, Stream};
-use crate::number::{Task, WIDTH, Wide};
+use super::stream::{LANES, Row, Single, Stream};
+use crate::number::{Lanes, Task};
 
 /// What is done with the photons that are drawn.
 pub(super) trait Visitor {
-    /// How many runs come next: all lanes of all groups, or fewer where there is one group.
+    /// Only the first `live` lanes of what comes next are runs.
     fn runs(&mut self, live: usize);
-    /// A photon asked for, at place `index` among those of its block: the l-th of its shell, for each run.
-    fn photon<const G: usize>(&mut self, index: usize, place: &Place, l: f64, stored: [Wide; G]);
+    /// A photon asked for, at place `index` among those of its block: the l-th of its shell, in each run.
+    fn photon(&mut self, index: usize, place: &Place, l: f64, stored: &Row);
 }
 
-/// Eight times G runs of a block.
-pub(super) struct Batch<'a, V, const G: usize> {
+/// Some runs of a block.
+pub(super) struct Batch<'a, V> {
     pub(super) scene: &'a Scene,
     pub(super) block: &'a Block,
     /// The photons asked for of this block.
     pub(super) asked: &'a [u64],
     pub(super) stream: &'a mut Stream,
-    /// Room for the places of a shell.
-    pub(super) rows: &'a mut Vec<Wide>,
+    /// Room for a shell.
+    pub(super) rows: &'a mut Vec<Row>,
     pub(super) visitor: &'a mut V,
 }
 
-impl<V: Visitor, const G: usize> Task for Batch<'_, V, G> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
+impl<V: Visitor> Batch<'_, V> {
+    /// Draws them.
+    pub(super) fn draw(self, lanes: Lanes) {
         match self.block.way {
-            Way::Singles => self.singles(),
-            Way::Spacings => self.spacings(),
+            Way::Singles => lanes.run(Singles(self)),
+            Way::Spacings => lanes.run(Spacings(self)),
             Way::Sorted => self.sorted(),
             Way::Beta => self.betas(),
         }
     }
-}
 
-impl<V: Visitor, const G: usize> Batch<'_, V, G> {
-    /// The place of the block.
+    /// The shell.
     fn place(&self) -> Place {
         Place::new(self.scene, self.block.inner as f64, self.block.count as f64)
     }
 
-    /// How many photons are drawn in a shell.
+    /// How many photons are drawn in it.
     fn drawn(&self) -> usize {
         let count = self.block.count as usize;
         match self.scene.fault {
@@ -57,74 +53,101 @@ impl<V: Visitor, const G: usize> Batch<'_, V, G> {
             _ => count,
         }
     }
+}
 
-    /// One uniform number for each shell.
+/// One uniform number for each shell.
+struct Singles<'a, V>(Batch<'a, V>);
+
+impl<V: Visitor> Task for Singles<'_, V> {
+    type Output = ();
+
     #[inline(always)]
-    fn singles(self) {
-        let mut stream = *self.stream;
-        let mut k = self.block.inner;
-        for (index, &asked) in self.asked.iter().enumerate() {
-            while k + 1 < asked {
-                let _skipped = uniforms::<G>(&mut stream);
-                k += 1;
+    fn run(self) {
+        let batch = self.0;
+        let mut before = batch.block.inner;
+        for (index, &k) in batch.asked.iter().enumerate() {
+            while before + 1 < k {
+                batch.stream.uniforms();
+                before += 1;
             }
-            let place = Place::new(self.scene, k as f64, 1.0);
-            let volume = Wide::all(place.volume);
-            let stored = uniforms::<G>(&mut stream).map(|x| place.stored(volume * x));
-            self.visitor.photon(index, &place, 1.0, stored);
-            k += 1;
+            let place = Place::new(batch.scene, before as f64, 1.0);
+            let mut row = batch.stream.uniforms();
+            scale(&mut row, &[place.volume; LANES]);
+            place.store(&mut row);
+            batch.visitor.photon(index, &place, 1.0, &row);
+            before += 1;
         }
-        *self.stream = stream;
     }
+}
 
-    /// Normalised partial sums of exponentials. They are kept where they fit into a near cache; else the same numbers are
-    /// drawn twice, first for their total.
+/// Normalised partial sums of exponentials.
+struct Spacings<'a, V>(Batch<'a, V>);
+
+impl<V: Visitor> Task for Spacings<'_, V> {
+    type Output = ();
+
     #[inline(always)]
-    fn spacings(self) {
-        let place = self.place();
-        let sums = self.drawn() + 1;
-        let mut stream = *self.stream;
-        let mut row = [Wide::all(0.0); G];
-        self.rows.resize(sums * G, Wide::all(0.0));
-        let (rows, _) = self.rows.as_chunks_mut::<G>();
-        for kept in rows.iter_mut() {
-            row = next_sums(&mut stream, row);
-            *kept = row;
+    fn run(self) {
+        let place = self.0.place();
+        let batch = self.0;
+        let drawn = batch.drawn();
+        batch.rows.resize(drawn + 1, [0.0; LANES]);
+        let mut sums = [0.0; LANES];
+        for row in batch.rows.iter_mut() {
+            add_exponentials(batch.stream, &mut sums);
+            *row = sums;
         }
-        let scale = row.map(|total| Wide::all(place.volume) / total);
-        for (index, &k) in self.asked.iter().enumerate() {
-            let l = k - self.block.inner;
-            let Some(row) = rows.get(l as usize - 1) else {
-                break;
+        let volumes = sums.map(|total| place.volume / total);
+        for (index, &k) in batch.asked.iter().enumerate() {
+            let l = k - batch.block.inner;
+            let Some(mut row) = batch.rows.get(l as usize - 1).copied() else {
+                return;
             };
-            let stored: [_; G] = std::array::from_fn(|g| place.stored(row[g] * scale[g]));
-            self.visitor.photon(index, &place, l as f64, stored);
+            scale(&mut row, &volumes);
+            place.store(&mut row);
+            batch.visitor.photon(index, &place, l as f64, &row);
         }
-        *self.stream = stream;
     }
+}
 
+/// Each number times a factor.
+#[inline(always)]
+fn scale(row: &mut Row, factors: &Row) {
+    for (number, factor) in row.iter_mut().zip(factors) {
+        *number *= factor;
+    }
+}
+
+/// An exponential more for each sum.
+#[inline(always)]
+fn add_exponentials(stream: &mut Stream, sums: &mut Row) {
+    let row = stream.uniforms();
+    for (sum, u) in sums.iter_mut().zip(&row) {
+        *sum += minus_ln(*u);
+    }
+}
+
+impl<V: Visitor> Batch<'_, V> {
     /// Uniform numbers, sorted run by run.
-    #[inline(always)]
     fn sorted(self) {
         let place = self.place();
-        let volume = Wide::all(place.volume);
         let drawn = self.drawn();
         self.rows.clear();
-        for _ in 0..drawn * G {
-            let x = self.stream.uniforms();
-            self.rows.push(place.stored(volume * x));
+        for _ in 0..drawn {
+            self.rows.push(self.stream.uniforms());
         }
-        let lost = drawn < self.block.count as usize;
-        if lost {
-            let edge = place.stored(volume);
-            self.rows.extend([edge; G]);
+        // The lost photon's place is the edge.
+        self.rows
+            .resize(drawn.max(self.block.count as usize), [1.0; LANES]);
+        for row in self.rows.iter_mut() {
+            scale(row, &[place.volume; LANES]);
+            place.store(row);
         }
-        let (rows, _) = self.rows.as_chunks_mut::<G>();
-        sort(rows, self.scene.fault);
+        sort(self.rows, self.scene.fault);
         for (index, &k) in self.asked.iter().enumerate() {
             let l = k - self.block.inner;
-            if let Some(row) = rows.get(l as usize - 1) {
-                self.visitor.photon(index, &place, l as f64, *row);
+            if let Some(row) = self.rows.get(l as usize - 1) {
+                self.visitor.photon(index, &place, l as f64, row);
             }
         }
     }
@@ -136,49 +159,35 @@ impl<V: Visitor, const G: usize> Batch<'_, V, G> {
         let mut random = Single::new(self.stream);
         for (index, &k) in self.asked.iter().enumerate() {
             let l = (k - self.block.inner) as usize;
-            let mut x = || match l <= drawn {
-                true => beta(&mut random, l as f64, (drawn - l + 1) as f64),
-                // The lost photon's place.
-                false => 1.0,
-            };
-            let stored = std::array::from_fn(|_| {
-                let x = Wide(std::array::from_fn(|_| x()));
-                place.stored(Wide::all(place.volume) * x)
-            });
-            self.visitor.photon::<G>(index, &place, l as f64, stored);
+            let mut row = [place.volume; LANES];
+            // A lost photon's place is the edge.
+            if l <= drawn {
+                for number in &mut row {
+                    *number *= beta(&mut random, l as f64, (drawn - l + 1) as f64);
+                }
+            }
+            place.store(&mut row);
+            self.visitor.photon(index, &place, l as f64, &row);
         }
     }
 }
 
-#[inline(always)]
-fn uniforms<const G: usize>(stream: &mut Stream) -> [Wide; G] {
-    std::array::from_fn(|_| stream.uniforms())
-}
-
-/// The partial sums with one exponential more.
-#[inline(always)]
-fn next_sums<const G: usize>(stream: &mut Stream, sums: [Wide; G]) -> [Wide; G] {
-    sums.map(|sum| sum + minus_ln(stream.uniforms()))
-}
-
 /// Sorts each run by itself.
-fn sort<const G: usize>(rows: &mut [[Wide; G]], fault: Option<Fault>) {
+fn sort(rows: &mut [Row], fault: Option<Fault>) {
     if fault == Some(Fault::Unsorted) {
         return;
     }
     let mut run = vec![0.0; rows.len()];
-    for group in 0..G {
-        for lane in 0..WIDTH {
-            for (number, row) in run.iter_mut().zip(rows.iter()) {
-                *number = row[group].0[lane];
-            }
-            run.sort_unstable_by(f64::total_cmp);
-            if fault == Some(Fault::Descending) {
-                run.reverse();
-            }
-            for (number, row) in run.iter().zip(rows.iter_mut()) {
-                row[group].0[lane] = *number;
-            }
+    for lane in 0..LANES {
+        for (number, row) in run.iter_mut().zip(rows.iter()) {
+            *number = row[lane];
+        }
+        run.sort_unstable_by(f64::total_cmp);
+        if fault == Some(Fault::Descending) {
+            run.reverse();
+        }
+        for (number, row) in run.iter().zip(rows.iter_mut()) {
+            row[lane] = *number;
         }
     }
 }

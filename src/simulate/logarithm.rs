@@ -1,4 +1,4 @@
-//! `-ln u`, eight numbers at a time, by `+ - * /` alone.
+//! `-ln u` by `+ - * /` and the bits of u alone, so that a loop of it becomes vectors.
 //!
 //! `u = 2^e f` with `sqrt(1/2) <= f < sqrt(2)`, up to the rounding of that bound. With `s = (1-f)/(1+f)`,
 //!
@@ -16,8 +16,6 @@
 //! unit, 3.2 in all. Else the result is at least ln 2 - |y| >= |y|, as |y| <= (ln 2)/2; so y and its term
 //! contribute 2.1 units at most, and the three sums 1 + 0.02 + 0.5 (the first one, `-e hi + y`, is below 2^n
 //! wherever the result is, up to 1 in a hundred). QED. `tests` measure it: 2.4 units.
-
-use crate::number::Wide;
 
 /// `ln 2` but for its last bits.
 const HIGH: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
@@ -39,41 +37,34 @@ const P: [f64; 7] = [
     0.3333333333333335,
 ];
 
-/// `-ln u` for positive normal numbers.
+/// `-ln u` for a positive normal number.
 #[inline(always)]
-pub(super) fn minus_ln(u: Wide) -> Wide {
-    let one = Wide::all(1.0);
+pub(super) fn minus_ln(u: f64) -> f64 {
     let (exponent, f) = split(u);
-    let s = (one - f) / (one + f);
+    let s = (1.0 - f) / (1.0 + f);
     let z = s * s;
-    let next = |sum: Wide, next: f64| sum * z + Wide::all(next);
-    let [first, rest @ ..] = P;
-    let p = rest.into_iter().fold(Wide::all(first), next);
+    let p = P.iter().fold(0.0, |sum, coefficient| sum * z + coefficient);
     let y = s + s;
-    let high = exponent * Wide::all(HIGH);
-    let low = exponent * Wide::all(LOW);
-    (y - high) + (y * (z * p) - low)
+    (y - exponent * HIGH) + (y * (z * p) - exponent * LOW)
 }
 
 /// e and f.
 #[inline(always)]
-fn split(u: Wide) -> (Wide, Wide) {
+fn split(u: f64) -> (f64, f64) {
+    const ONE: u64 = 1.0f64.to_bits();
     /// A double whose last bits count ones.
     const COUNTER: f64 = (1u64 << 52) as f64;
-    const ONE: u64 = 1.0f64.to_bits();
-    let shifted = u.0.map(|u| u.to_bits().wrapping_add(ONE - ROOT));
-    let exponent = shifted.map(|bits| {
-        let count = f64::from_bits(bits >> 52 | COUNTER.to_bits());
-        count - (COUNTER + 1023.0)
-    });
-    let f = shifted.map(|bits| f64::from_bits((bits & FRACTION) + ROOT));
-    (Wide(exponent), Wide(f))
+    let shifted = u.to_bits().wrapping_add(ONE - ROOT);
+    let count = f64::from_bits(shifted >> 52 | COUNTER.to_bits());
+    let f = f64::from_bits((shifted & FRACTION) + ROOT);
+    (count - (COUNTER + 1023.0), f)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::stream::{Key, LANES, Row};
     use super::*;
-    use crate::number::{Lanes, Task, WIDTH};
+    use crate::number::{Lanes, Task};
     use rug::Float;
     use rug::float::Constant;
 
@@ -140,7 +131,7 @@ mod tests {
     /// Errors in units of 2^-53 of the result: the largest.
     fn worst(arguments: impl Iterator<Item = f64>) -> f64 {
         let error = |u: f64| {
-            let computed = minus_ln(Wide::all(u)).0[0];
+            let computed = minus_ln(u);
             let truth = -float(u).ln();
             ((computed - float(&truth)) / truth).to_f64().abs() * 2f64.powi(53)
         };
@@ -149,13 +140,13 @@ mod tests {
 
     #[test]
     fn the_error_is_within_the_theorem() {
-        let mut stream = super::super::stream::Key {
+        let mut stream = Key {
             seed: 1,
             chunk: 0,
             photon: 0,
         }
         .stream();
-        let random: Vec<f64> = (0..2000).flat_map(|_| stream.uniforms().0).collect();
+        let random: Vec<f64> = (0..2000).flat_map(|_| stream.uniforms()).collect();
         let odd = |j: u64| (2 * j + 1) as f64 * 2f64.powi(-53);
         let least = (0..2000).map(odd);
         let greatest = (1..2000).map(|j| odd((1 << 52) - j));
@@ -177,30 +168,30 @@ mod tests {
         assert!(all.iter().all(|error| *error < 4.0), "{all:?}");
     }
 
-    struct Logarithms(Vec<Wide>);
+    struct Logarithms(Row);
 
     impl Task for Logarithms {
-        type Output = Vec<[u64; WIDTH]>;
+        type Output = [u64; LANES];
 
         #[inline(always)]
         fn run(self) -> Self::Output {
-            let bits = |u| minus_ln(u).0.map(f64::to_bits);
-            self.0.into_iter().map(bits).collect()
+            self.0.map(|u| minus_ln(u).to_bits())
         }
     }
 
     #[test]
     fn all_lanes_give_the_same_bits() {
-        let mut stream = super::super::stream::Key {
+        let key = Key {
             seed: 2,
             chunk: 0,
             photon: 0,
-        }
-        .stream();
-        let arguments: Vec<Wide> = (0..500).map(|_| stream.uniforms()).collect();
-        let expected = Logarithms(arguments.clone()).run();
-        for lanes in Lanes::available() {
-            assert_eq!(lanes.run(Logarithms(arguments.clone())), expected);
+        };
+        let mut stream = key.stream();
+        for _ in 0..100 {
+            let row = stream.uniforms();
+            for lanes in Lanes::available() {
+                assert_eq!(lanes.run(Logarithms(row)), Logarithms(row).run());
+            }
         }
     }
 }

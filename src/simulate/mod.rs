@@ -13,18 +13,12 @@ mod visit;
 pub use scene::{Fault, Mode, Scene, SceneError};
 pub use sums::{OtherPhotons, Sums};
 
-use crate::number::{Lanes, WIDTH, Wide};
+use crate::number::Lanes;
 use block::Block;
 use draw::{Batch, Visitor};
 use scene::MOST_SAMPLES;
-use stream::{Key, Stream};
+use stream::{Key, LANES, Row};
 use visit::{Adder, Sampler};
-
-/// Groups of runs that are drawn together: as many as keep the processor busy.
-const GROUPS: usize = 4;
-
-/// The runs of a full batch.
-const BATCH: u64 = (GROUPS * WIDTH) as u64;
 
 /// Photons of a chunk, all runs together, about: some tens of milliseconds.
 const CHUNK: u64 = 1 << 23;
@@ -49,7 +43,8 @@ impl Simulation {
         scene.check()?;
         let photons = scene.asked()?;
         let blocks = block::blocks(&scene, &photons)?;
-        let chunk_runs = (CHUNK / scene.photons).clamp(BATCH, MOST_CHUNK_RUNS) / BATCH * BATCH;
+        let lanes = LANES as u64;
+        let chunk_runs = (CHUNK / scene.photons).clamp(lanes, MOST_CHUNK_RUNS) / lanes * lanes;
         Ok(Simulation {
             scene,
             photons,
@@ -120,8 +115,8 @@ impl Simulation {
         Ok(sampler.volumes)
     }
 
-    /// Draws the runs of a chunk of one block: full batches, then group by group.
-    fn draw<V: Visitor>(&self, chunk: u64, block: &Block, rows: &mut Vec<Wide>, visitor: &mut V) {
+    /// Draws the runs of a chunk of one block: some at a time.
+    fn draw<V: Visitor>(&self, chunk: u64, block: &Block, rows: &mut Vec<Row>, visitor: &mut V) {
         let key = Key {
             seed: self.scene.seed,
             chunk,
@@ -130,35 +125,19 @@ impl Simulation {
         let mut stream = key.stream();
         let mut runs = self.runs_of(chunk);
         while runs > 0 {
-            let part = if runs >= BATCH {
-                BATCH
-            } else {
-                runs.min(WIDTH as u64)
+            let live = runs.min(LANES as u64);
+            visitor.runs(live as usize);
+            let batch = Batch {
+                scene: &self.scene,
+                block,
+                asked: &self.photons[block.asked.clone()],
+                stream: &mut stream,
+                rows,
+                visitor,
             };
-            visitor.runs(part as usize);
-            match part {
-                BATCH => self.batch::<V, GROUPS>(block, &mut stream, rows, visitor),
-                _ => self.batch::<V, 1>(block, &mut stream, rows, visitor),
-            }
-            runs -= part;
+            batch.draw(self.lanes);
+            runs -= live;
         }
-    }
-
-    fn batch<V: Visitor, const G: usize>(
-        &self,
-        block: &Block,
-        stream: &mut Stream,
-        rows: &mut Vec<Wide>,
-        visitor: &mut V,
-    ) {
-        self.lanes.run(Batch::<V, G> {
-            scene: &self.scene,
-            block,
-            asked: &self.photons[block.asked.clone()],
-            stream,
-            rows,
-            visitor,
-        });
     }
 }
 

@@ -1,7 +1,7 @@
 //! From places inside a shell to volumes and to the estimator.
 
 use super::scene::{Fault, Scene};
-use crate::number::Wide;
+use super::stream::Row;
 
 /// A shell as the estimator sees it.
 ///
@@ -45,61 +45,71 @@ impl Place {
         }
     }
 
-    /// What is stored of photons at the volumes `past` the inner edge.
+    /// Takes volumes past the inner edge to what is stored.
     #[inline(always)]
-    pub(super) fn stored(&self, past: Wide) -> Wide {
-        match self.dimension {
-            None => past,
-            Some(d) => radii(Wide::all(self.inner) + past, d),
+    pub(super) fn store(&self, row: &mut Row) {
+        if let Some(d) = self.dimension {
+            for past in row {
+                *past = radius(self.inner + *past, d);
+            }
         }
     }
 
     /// U of photons.
     #[inline(always)]
-    pub(super) fn volumes(&self, stored: Wide) -> Wide {
-        match self.dimension {
-            None => Wide::all(self.inner) + stored,
-            Some(d) => powers(stored, d),
+    pub(super) fn volumes(&self, stored: &Row) -> Row {
+        let mut volumes = *stored;
+        for volume in &mut volumes {
+            *volume = match self.dimension {
+                None => self.inner + *volume,
+                Some(d) => power(*volume, d),
+            };
         }
+        volumes
     }
 
     /// `k/U - 1 = (k - U)/U` of the l-th photon.
     ///
     /// Where U alone is drawn, `k - U = l - V*x`, without the cancellation of Va.
     #[inline(always)]
-    pub(super) fn deviations(&self, l: f64, stored: Wide) -> Wide {
-        let k_past = l + self.shift;
-        let volumes = self.volumes(stored);
+    pub(super) fn deviations(&self, l: f64, stored: &Row) -> Row {
+        let past = l + self.shift;
+        let mut deviations = *stored;
         match self.dimension {
-            None => (Wide::all(k_past) - stored) / volumes,
-            Some(_) => (Wide::all(self.inner + k_past) - volumes) / volumes,
+            None => {
+                for d in &mut deviations {
+                    *d = (past - *d) / (self.inner + *d);
+                }
+            }
+            Some(dimension) => {
+                for d in &mut deviations {
+                    let volume = power(*d, dimension);
+                    *d = ((self.inner + past) - volume) / volume;
+                }
+            }
         }
+        deviations
     }
 }
 
 /// `U^(1/d)`
-#[inline(never)]
-fn radii(volumes: Wide, d: u32) -> Wide {
-    let exponent = 1.0 / f64::from(d);
-    Wide(volumes.0.map(|volume| match d {
+fn radius(volume: f64, d: u32) -> f64 {
+    match d {
         1 => volume,
         2 => volume.sqrt(),
         3 => volume.cbrt(),
-        _ => volume.powf(exponent),
-    }))
+        _ => volume.powf(1.0 / f64::from(d)),
+    }
 }
 
 /// `r^d`, by repeated squaring.
-#[inline(never)]
-fn powers(radii: Wide, d: u32) -> Wide {
-    let mut square = radii;
-    let mut power = Wide::all(1.0);
-    let mut rest = d;
+fn power(radius: f64, d: u32) -> f64 {
+    let (mut power, mut square, mut rest) = (1.0, radius, d);
     while rest > 0 {
         if rest % 2 == 1 {
-            power = power * square;
+            power *= square;
         }
-        square = square * square;
+        square *= square;
         rest /= 2;
     }
     power

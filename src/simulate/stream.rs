@@ -1,4 +1,4 @@
-//! Random numbers: eight generators xoshiro256++ side by side, one for each lane.
+//! Random numbers: generators xoshiro256++ side by side, one for each lane.
 //!
 //! David Blackman and Sebastiano Vigna, Scrambled linear pseudorandom number generators, ACM Transactions on
 //! Mathematical Software 47 (2021). A stream is a function of its key alone, so that whoever draws may start
@@ -13,7 +13,12 @@
 //! `mix` is a bijection, so s0 and s1 tell h0, s2 then h1, s3 then h2, and these the key: no two lanes of any
 //! two streams have the same state, and every word depends on the whole key.
 
-use crate::number::{WIDTH, Wide};
+/// Runs that are drawn together. Loops over so many lanes are long enough that the compiler makes vectors of them, and
+/// that one step's waiting is filled with other lanes' work.
+pub(super) const LANES: usize = 32;
+
+/// A number for each of these runs.
+pub(super) type Row = [f64; LANES];
 
 /// Which stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,20 +30,22 @@ pub(super) struct Key {
     pub(super) photon: u64,
 }
 
-/// Eight generators: `0[word][lane]`.
+/// A generator for each lane: the four words of their states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Stream([[u64; WIDTH]; 4]);
+pub(super) struct Stream {
+    words: [[u64; LANES]; 4],
+}
 
 impl Key {
     pub(super) fn stream(self) -> Stream {
-        let mut words = [[0; WIDTH]; 4];
-        for lane in 0..WIDTH {
+        let mut words = [[0; LANES]; 4];
+        for lane in 0..LANES {
             let state = self.state(lane as u64);
             for (word, part) in words.iter_mut().zip(state) {
                 word[lane] = part;
             }
         }
-        Stream(words)
+        Stream { words }
     }
 
     fn state(self, lane: u64) -> [u64; 4] {
@@ -61,14 +68,14 @@ fn mix(state: u64) -> u64 {
 }
 
 impl Stream {
-    /// The next word of each lane.
+    /// For each lane a number between 0 and 1, neither of them: `(j + 1/2)/2^52`, j the first 52 bits of the next word.
     #[inline(always)]
-    fn words(&mut self) -> [u64; WIDTH] {
-        let [a, b, c, d] = &mut self.0;
-        let mut result = [0; WIDTH];
-        for lane in 0..WIDTH {
+    pub(super) fn uniforms(&mut self) -> Row {
+        let [a, b, c, d] = &mut self.words;
+        let mut row = [0.0; LANES];
+        for lane in 0..LANES {
             let sum = a[lane].wrapping_add(d[lane]);
-            result[lane] = sum.rotate_left(23).wrapping_add(a[lane]);
+            row[lane] = uniform(sum.rotate_left(23).wrapping_add(a[lane]));
             let shifted = b[lane] << 17;
             c[lane] ^= a[lane];
             d[lane] ^= b[lane];
@@ -77,29 +84,25 @@ impl Stream {
             c[lane] ^= shifted;
             d[lane] = d[lane].rotate_left(45);
         }
-        result
+        row
     }
+}
 
-    /// For each lane a number between 0 and 1, neither of them: `(j + 1/2)/2^52`, j of 52 random bits.
-    ///
-    /// j makes the fraction of a double in [1, 2); what is taken off is a double, and so is what is left.
-    #[inline(always)]
-    pub(super) fn uniforms(&mut self) -> Wide {
-        const ONE: u64 = 1.0f64.to_bits();
-        let words = self.words();
-        Wide(words.map(|word| f64::from_bits(word >> 12 | ONE) - (1.0 - f64::EPSILON / 2.0)))
-    }
+/// The bits make the fraction of a double in [1, 2); what is taken off is a double, and so is what is left.
+#[inline(always)]
+fn uniform(word: u64) -> f64 {
+    f64::from_bits(word >> 12 | 1.0f64.to_bits()) - (1.0 - f64::EPSILON / 2.0)
 }
 
 /// The numbers of all lanes one after the other, for whoever draws until a number suits.
 pub(super) struct Single<'a> {
     stream: &'a mut Stream,
-    numbers: std::array::IntoIter<f64, WIDTH>,
+    numbers: std::array::IntoIter<f64, LANES>,
 }
 
 impl<'a> Single<'a> {
     pub(super) fn new(stream: &'a mut Stream) -> Single<'a> {
-        let numbers = stream.uniforms().0.into_iter();
+        let numbers = stream.uniforms().into_iter();
         Single { stream, numbers }
     }
 
@@ -109,7 +112,7 @@ impl<'a> Single<'a> {
             if let Some(number) = self.numbers.next() {
                 return number;
             }
-            self.numbers = self.stream.uniforms().0.into_iter();
+            self.numbers = self.stream.uniforms().into_iter();
         }
     }
 }
@@ -129,20 +132,26 @@ mod tests {
     #[test]
     fn every_lane_is_the_generator_of_the_paper() {
         let mut stream = KEY.stream();
-        let mut lanes: Vec<_> = (0..WIDTH as u64)
-            .map(|lane| {
-                let bytes: Vec<u8> = KEY
-                    .state(lane)
-                    .iter()
-                    .flat_map(|w| w.to_le_bytes())
-                    .collect();
-                Xoshiro256PlusPlus::from_seed(bytes.try_into().expect("32 bytes"))
-            })
-            .collect();
+        let seed = |lane| {
+            let state = KEY.state(lane);
+            let bytes: Vec<u8> = state.iter().flat_map(|word| word.to_le_bytes()).collect();
+            bytes.try_into().expect("32 bytes")
+        };
+        let lanes = (0..LANES as u64).map(seed);
+        let mut lanes: Vec<_> = lanes.map(Xoshiro256PlusPlus::from_seed).collect();
         for _ in 0..1000 {
-            let expected: Vec<u64> = lanes.iter_mut().map(Rng::next_u64).collect();
-            assert_eq!(stream.words().to_vec(), expected);
+            let expected = lanes
+                .iter_mut()
+                .map(|lane| (2 * (lane.next_u64() >> 12) + 1) as f64);
+            let drawn = stream.uniforms().map(|x| x * 2f64.powi(53));
+            assert_eq!(drawn.to_vec(), expected.collect::<Vec<f64>>());
         }
+    }
+
+    #[test]
+    fn the_ends_are_left_out() {
+        assert_eq!(uniform(0), 2f64.powi(-53));
+        assert_eq!(uniform(u64::MAX), 1.0 - 2f64.powi(-53));
     }
 
     #[test]
@@ -152,22 +161,11 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_odd_multiples_of_the_least() {
-        let (mut stream, mut words) = (KEY.stream(), KEY.stream());
-        for _ in 0..1000 {
-            for (x, word) in stream.uniforms().0.into_iter().zip(words.words()) {
-                assert!(0.0 < x && x < 1.0);
-                assert_eq!(x * 2f64.powi(53), (2 * (word >> 12) + 1) as f64);
-            }
-        }
-    }
-
-    #[test]
     fn numbers_one_by_one_are_those_of_the_lanes() {
         let (mut stream, mut same) = (KEY.stream(), KEY.stream());
         let mut single = Single::new(&mut stream);
         for _ in 0..10 {
-            for x in same.uniforms().0 {
+            for x in same.uniforms() {
                 assert_eq!(single.uniform(), x);
             }
         }

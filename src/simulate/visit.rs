@@ -2,12 +2,14 @@
 
 use super::draw::Visitor;
 use super::place::Place;
+use super::stream::{LANES, Row};
 use crate::number::{WIDTH, Wide};
 
-/// Adds up d and its square, each lane by itself, for the photons of a block.
+/// Adds up d and its square for the photons of a block, in each wide lane by itself.
 #[derive(Default)]
 pub(super) struct Adder {
     sums: Vec<[Wide; 2]>,
+    /// How many of the lanes are runs.
     live: usize,
 }
 
@@ -20,44 +22,31 @@ impl Adder {
 
     /// The sums of all lanes.
     pub(super) fn fold(&self, deviation: &mut [f64], square: &mut [f64]) {
-        for ((deviation, square), [sum, squares]) in
-            deviation.iter_mut().zip(square).zip(&self.sums)
-        {
-            *deviation = sum.0.iter().sum();
-            *square = squares.0.iter().sum();
+        for ((deviation, square), sums) in deviation.iter_mut().zip(square).zip(&self.sums) {
+            [*deviation, *square] = sums.map(|sum| sum.0.iter().sum());
         }
     }
 }
 
 impl Visitor for Adder {
     fn runs(&mut self, live: usize) {
-        self.live = live;
+        self.live = live.min(LANES);
     }
 
     #[inline(always)]
-    fn photon<const G: usize>(&mut self, index: usize, place: &Place, l: f64, stored: [Wide; G]) {
+    fn photon(&mut self, index: usize, place: &Place, l: f64, stored: &Row) {
         let Some([sum, squares]) = self.sums.get_mut(index) else {
             return;
         };
-        let (mut a, mut b) = (*sum, *squares);
-        for stored in stored {
-            let mut d = place.deviations(l, stored);
-            if G == 1 {
-                silence(&mut d, self.live);
-            }
-            a = a + d;
-            b = b + d * d;
+        let mut row = place.deviations(l, stored);
+        if self.live < LANES {
+            row[self.live..].fill(0.0);
         }
-        (*sum, *squares) = (a, b);
-    }
-}
-
-/// Nothing in the lanes from `live` on.
-#[inline(always)]
-fn silence(wide: &mut Wide, live: usize) {
-    for (lane, value) in wide.0.iter_mut().enumerate() {
-        if lane >= live {
-            *value = 0.0;
+        let (groups, _) = row.as_chunks::<WIDTH>();
+        for group in groups {
+            let d = Wide(*group);
+            *sum = *sum + d;
+            *squares = *squares + d * d;
         }
     }
 }
@@ -82,16 +71,13 @@ impl Sampler {
 
 impl Visitor for Sampler {
     fn runs(&mut self, live: usize) {
-        self.live = live;
+        self.live = live.min(LANES);
     }
 
-    #[inline(always)]
-    fn photon<const G: usize>(&mut self, index: usize, place: &Place, _: f64, stored: [Wide; G]) {
+    fn photon(&mut self, index: usize, place: &Place, _: f64, stored: &Row) {
         if index == self.index {
-            let runs = stored
-                .into_iter()
-                .flat_map(|stored| place.volumes(stored).0);
-            self.volumes.extend(runs.take(self.live.min(G * WIDTH)));
+            let volumes = place.volumes(stored);
+            self.volumes.extend(volumes.iter().take(self.live));
         }
     }
 }
