@@ -1,0 +1,145 @@
+//! Simulation.
+
+mod beta;
+mod block;
+mod draw;
+mod logarithm;
+mod place;
+mod scene;
+mod stream;
+mod sums;
+mod visit;
+
+pub use scene::{Fault, Mode, Scene, SceneError};
+pub use sums::{OtherPhotons, Sums};
+
+use crate::number::Lanes;
+use block::Block;
+use draw::{Batch, Visitor};
+use scene::MOST_SAMPLES;
+use stream::{Key, LANES, Row};
+use visit::{Adder, Sampler};
+
+/// Photons of a chunk, all runs together, about: some tens of milliseconds.
+const CHUNK: u64 = 1 << 23;
+
+/// Runs of a chunk at most.
+const MOST_CHUNK_RUNS: u64 = 1 << 13;
+
+/// A scene, ready to be drawn.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    scene: Scene,
+    photons: Vec<u64>,
+    blocks: Vec<Block>,
+    chunk_runs: u64,
+    lanes: Lanes,
+}
+
+impl Simulation {
+    /// # Errors
+    /// [`SceneError`]
+    pub fn new(scene: Scene) -> Result<Simulation, SceneError> {
+        scene.check()?;
+        let photons = scene.asked()?;
+        let blocks = block::blocks(&scene, &photons)?;
+        let lanes = LANES as u64;
+        let chunk_runs = (CHUNK / scene.photons).clamp(lanes, MOST_CHUNK_RUNS) / lanes * lanes;
+        Ok(Simulation {
+            scene,
+            photons,
+            blocks,
+            chunk_runs,
+            lanes: Lanes::best(),
+        })
+    }
+
+    /// The same numbers, computed in another way.
+    #[must_use]
+    pub fn with_lanes(self, lanes: Lanes) -> Simulation {
+        Simulation { lanes, ..self }
+    }
+
+    /// What is drawn.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// How many chunks the runs are cut into; it depends on the scene only.
+    pub fn chunks(&self) -> u64 {
+        self.scene.runs.div_ceil(self.chunk_runs)
+    }
+
+    /// How many runs a chunk has; none past the last.
+    fn runs_of(&self, chunk: u64) -> u64 {
+        let before = chunk.saturating_mul(self.chunk_runs);
+        self.scene.runs.saturating_sub(before).min(self.chunk_runs)
+    }
+
+    /// Draws a chunk of the runs. One past the last has no runs.
+    pub fn chunk(&self, chunk: u64) -> Sums {
+        let mut sums = Sums::new(self.photons.clone());
+        sums.runs = self.runs_of(chunk);
+        let mut adder = Adder::default();
+        let mut rows = vec![];
+        for block in &self.blocks {
+            adder.start(block.asked.len());
+            self.draw(chunk, block, &mut rows, &mut adder);
+            let deviation = &mut sums.deviation[block.asked.clone()];
+            let square = &mut sums.square[block.asked.clone()];
+            adder.fold(deviation, square);
+        }
+        sums
+    }
+
+    /// U of photon k in all runs, in order.
+    ///
+    /// # Errors
+    /// Where photon k is not asked for, or there are too many runs.
+    pub fn samples(&self, k: u64) -> Result<Vec<f64>, SceneError> {
+        let holds = |block: &&Block| self.photons[block.asked.clone()].contains(&k);
+        let block = self
+            .blocks
+            .iter()
+            .find(holds)
+            .ok_or(SceneError::NoPhoton(k))?;
+        if self.scene.runs > MOST_SAMPLES {
+            return Err(SceneError::Samples(self.scene.runs));
+        }
+        let index = self.photons[block.asked.clone()].partition_point(|&other| other < k);
+        let mut sampler = Sampler::new(index);
+        let mut rows = vec![];
+        for chunk in 0..self.chunks() {
+            self.draw(chunk, block, &mut rows, &mut sampler);
+        }
+        Ok(sampler.volumes)
+    }
+
+    /// Draws the runs of a chunk of one block: some at a time.
+    fn draw<V: Visitor>(&self, chunk: u64, block: &Block, rows: &mut Vec<Row>, visitor: &mut V) {
+        let key = Key {
+            seed: self.scene.seed,
+            chunk,
+            photon: block.inner + 1,
+        };
+        let mut stream = key.stream();
+        let mut runs = self.runs_of(chunk);
+        while runs > 0 {
+            let live = runs.min(LANES as u64);
+            visitor.runs(live as usize);
+            let batch = Batch {
+                scene: &self.scene,
+                block,
+                asked: &self.photons[block.asked.clone()],
+                stream: &mut stream,
+                rows,
+                visitor,
+            };
+            batch.draw(self.lanes);
+            runs -= live;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,116 @@
+//! From places inside a shell to volumes and to the estimator.
+
+use super::scene::{Fault, Scene};
+use super::stream::Row;
+
+/// A shell as the estimator sees it.
+///
+/// What is stored of a photon is `V*x`, its volume past the shell's inner edge; in d dimensions its radius,
+/// `(Va + V*x)^(1/d)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Va
+    pub(super) inner: f64,
+    /// V
+    pub(super) volume: f64,
+    /// What is added to l to have the estimator's k less Va: 0 but for faults.
+    shift: f64,
+    dimension: Option<u32>,
+}
+
+impl Place {
+    /// The shell of this volume around another.
+    pub(super) fn new(scene: &Scene, inner: f64, volume: f64) -> Place {
+        let dimension = scene.dimension;
+        match scene.fault {
+            Some(Fault::Biased) => {
+                let kept = 1.0 - Fault::BIAS;
+                Place {
+                    inner: inner * kept,
+                    volume: volume * kept,
+                    shift: inner * Fault::BIAS,
+                    dimension,
+                }
+            }
+            fault => Place {
+                inner,
+                volume,
+                shift: if fault == Some(Fault::Estimator) {
+                    -1.0
+                } else {
+                    0.0
+                },
+                dimension,
+            },
+        }
+    }
+
+    /// Takes volumes past the inner edge to what is stored.
+    #[inline(always)]
+    pub(super) fn store(&self, row: &mut Row) {
+        if let Some(d) = self.dimension {
+            for past in row {
+                *past = radius(self.inner + *past, d);
+            }
+        }
+    }
+
+    /// U of photons.
+    #[inline(always)]
+    pub(super) fn volumes(&self, stored: &Row) -> Row {
+        let mut volumes = *stored;
+        for volume in &mut volumes {
+            *volume = match self.dimension {
+                None => self.inner + *volume,
+                Some(d) => power(*volume, d),
+            };
+        }
+        volumes
+    }
+
+    /// `k/U - 1 = (k - U)/U` of the l-th photon.
+    ///
+    /// Where U alone is drawn, `k - U = l - V*x`, without the cancellation of Va.
+    #[inline(always)]
+    pub(super) fn deviations(&self, l: f64, stored: &Row) -> Row {
+        let past = l + self.shift;
+        let mut deviations = *stored;
+        match self.dimension {
+            None => {
+                for d in &mut deviations {
+                    *d = (past - *d) / (self.inner + *d);
+                }
+            }
+            Some(dimension) => {
+                for d in &mut deviations {
+                    let volume = power(*d, dimension);
+                    *d = ((self.inner + past) - volume) / volume;
+                }
+            }
+        }
+        deviations
+    }
+}
+
+/// `U^(1/d)`
+fn radius(volume: f64, d: u32) -> f64 {
+    match d {
+        1 => volume,
+        2 => volume.sqrt(),
+        3 => volume.cbrt(),
+        _ => volume.powf(1.0 / f64::from(d)),
+    }
+}
+
+/// `r^d`, by repeated squaring.
+fn power(radius: f64, d: u32) -> f64 {
+    let (mut power, mut square, mut rest) = (1.0, radius, d);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power *= square;
+        }
+        square *= square;
+        rest /= 2;
+    }
+    power
+}
