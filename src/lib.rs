@@ -92,6 +92,8 @@ pub mod probe;
 #[cfg(feature = "engine")]
 pub mod prover;
 #[cfg(feature = "engine")]
+pub mod simulate;
+#[cfg(feature = "engine")]
 pub mod special;
 
 pub mod cli;
