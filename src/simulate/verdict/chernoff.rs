@@ -18,6 +18,10 @@ use super::theory::{Law, Statistic, Tilted};
 /// Steps of the search for the best t.
 const STEPS: usize = 60;
 
+/// The largest t, in units of `1/E min(|g|, 1)`: so far cumulants are tested. The best t for a mean that is z
+/// standard errors off is about `z/sqrt(R)` of these.
+const LARGEST: f64 = 5.0;
+
 /// A bound of the p-value of the sample mean of a statistic over `runs` runs, against both sides: twice the smaller
 /// bound of the two, at most 1. If the runs follow the law, the chance that it is `<= p` is at most p, for every p and
 /// every number of runs. `rare` is the probability that may be spent where the cumulant is infinite (see the
@@ -53,50 +57,65 @@ fn one_sided(law: &Law, statistic: Statistic, runs: u64, mean: f64, side: Side, 
         true => law.start(rare / runs),
         false => (0, 0.0),
     };
-    let tilted = |t: f64| law.tilted(statistic, t, start);
-    (runs * beyond + (-runs * rate(tilted, mean, side)).exp()).min(1.0)
-}
-
-/// The greatest `t a - K(t)` found on a side, at least 0. It is concave in t, so Newton's method serves, kept between
-/// the last t on either side of the top.
-fn rate(tilted: impl Fn(f64) -> Tilted, mean: f64, side: Side) -> f64 {
-    let sign = match side {
-        Side::Below => -1.0,
-        Side::Above => 1.0,
+    let search = Search {
+        law,
+        statistic,
+        start,
+        side,
     };
-    if mean * sign == f64::INFINITY {
-        return f64::INFINITY;
-    }
-    let rest = tilted(0.0);
-    let mut t = (mean - rest.mean) * sign / rest.variance;
-    // Not so for a mean on the other side, and for numbers that are none.
-    if !(t > 0.0 && t.is_finite()) {
-        return 0.0;
-    }
-    let (mut low, mut high, mut best) = (0.0, f64::INFINITY, 0.0f64);
-    for _ in 0..STEPS {
-        let found = tilted(sign * t);
-        best = best.max(sign * t * mean - found.cumulant);
-        let slope = sign * (mean - found.mean);
-        match slope > 0.0 {
-            true => low = t,
-            false => high = t,
-        }
-        let next = within(t + slope / found.variance, low, high);
-        if (next - t).abs() <= 1e-6 * t {
-            break;
-        }
-        t = next;
-    }
-    best
+    (runs * beyond + (-runs * search.rate(mean)).exp()).min(1.0)
 }
 
-/// A step of Newton's method, where it stays between the ends; else one that halves or doubles.
+struct Search<'a> {
+    law: &'a Law,
+    statistic: Statistic,
+    start: usize,
+    side: Side,
+}
+
+impl Search<'_> {
+    /// The greatest `t a - K(t)` found on a side, at least 0. It is concave in t, so Newton's method serves, kept between
+    /// the last t on either side of the top.
+    fn rate(&self, mean: f64) -> f64 {
+        let sign = match self.side {
+            Side::Below => -1.0,
+            Side::Above => 1.0,
+        };
+        if mean * sign == f64::INFINITY {
+            return f64::INFINITY;
+        }
+        let tilted = |t: f64| self.law.tilted(self.statistic, sign * t, self.start);
+        let largest = LARGEST / self.law.size(self.statistic);
+        let rest = tilted(0.0);
+        let mut t = ((mean - rest.mean) * sign / rest.variance).min(largest);
+        let (mut low, mut high, mut best) = (0.0, largest, 0.0f64);
+        // No step for a mean on the other side, and for one that is no number.
+        for _ in 0..STEPS {
+            if !(t > low && t <= high) {
+                break;
+            }
+            let found = tilted(t);
+            best = best.max(sign * t * mean - found.cumulant);
+            let slope = sign * (mean - found.mean);
+            match slope > 0.0 {
+                true => low = t,
+                false => high = t,
+            }
+            let next = within(t + slope / found.variance, low, high);
+            if (next - t).abs() <= 1e-6 * t {
+                break;
+            }
+            t = next;
+        }
+        best
+    }
+}
+
+/// A step of Newton's method, where it stays between the ends; else one to the middle of them on a scale of ratios, for
+/// the best t may be many powers of ten below the largest.
 fn within(newton: f64, low: f64, high: f64) -> f64 {
-    let farthest = if high.is_finite() { high } else { 8.0 * low };
-    match newton > low && newton < farthest {
+    match newton > low && newton < high {
         true => newton,
-        false if high.is_finite() => low + (high - low) / 2.0,
-        false => 2.0 * low,
+        false => (low.max(high * 1e-6) * high).sqrt(),
     }
 }

@@ -15,7 +15,7 @@ use super::{Error, checked_level};
 use crate::model::Layout;
 use crate::simulate::Sums;
 
-/// The largest t, in units of 1/E|g|; the others are halves, quarters, ... of it.
+/// The largest t, in units of `1/E min(|g|, 1)`; the others are halves, quarters, ... of it.
 const LARGEST: f64 = 4.0;
 
 /// How many on either side: the least one is best after some 10^12 runs.
@@ -49,7 +49,7 @@ struct Watched {
 struct Mixture {
     /// t and K(t), those that are finite.
     tilts: Vec<(f64, f64)>,
-    /// E|g|, a measure of distance.
+    /// E min(|g|, 1), a measure of distance.
     scale: f64,
     sum: f64,
 }
@@ -71,7 +71,7 @@ impl Interval {
 
 impl Mixture {
     fn new(law: &Law, statistic: Statistic) -> Mixture {
-        let scale = law.mean_of(|d| statistic.of(d).abs());
+        let scale = law.size(statistic);
         let sizes = (0..GRID).map(|halvings| LARGEST / scale * 0.5f64.powi(halvings));
         let tilts = sizes
             .flat_map(|t| [-t, t])
@@ -212,8 +212,8 @@ impl Watch {
     }
 
     /// For each photon what is known of the true `E k/U - 1`, if the law of k/U is that of theory but for a shift: then all
-    /// intervals at all looks hold it, with probability 1 - level at least. None before the first run, and where no
-    /// shift is left.
+    /// intervals at all looks hold it, with probability 1 - level at least. None before the first run, where theory has no mean, and
+    /// where no shift is left.
     pub fn intervals(&self) -> Vec<Option<Interval>> {
         let bound = (self.photons.len() as f64 / self.level).ln();
         let each = self

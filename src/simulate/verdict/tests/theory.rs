@@ -77,11 +77,11 @@ fn exact_moment(size: u64, position: u64, power: u32) -> f64 {
     for p in 0..=power {
         let sign = if (power - p) % 2 == 0 { 1 } else { -1 };
         sum += Rational::from(&binomial * &inverse) * sign;
-        inverse *= Rational::from(&m - p) * &l / (Rational::from(&l - (p + 1)) * &m);
-        binomial *= Rational::from((power - p, p + 1));
-        if position == u64::from(p) + 1 {
+        if p == power {
             break;
         }
+        inverse *= Rational::from(&m - p) * &l / (Rational::from(&l - (p + 1)) * &m);
+        binomial *= Rational::from((power - p, p + 1));
     }
     sum.to_f64()
 }
@@ -130,29 +130,35 @@ fn exact_cumulant(place: (u64, u64, u64), statistic: Statistic, t: f64) -> f64 {
 
 #[test]
 fn cumulants_are_right_and_rounded_up() {
-    let mut worst = [f64::INFINITY, 0.0f64];
+    let mut worst = 0.0f64;
     for place in PLACES {
         let law = law(place.0, place.1, place.2);
         for statistic in [Statistic::Deviation, Statistic::Square] {
-            let scale = law.mean_of(|d| statistic.of(d).abs());
             for size in [1e-6, 0.01, 0.3, 1.0, 5.0] {
-                for t in [-size / scale, size / scale] {
-                    if place.0 == 0 && t > 0.0 {
-                        assert_eq!(law.cumulant(statistic, t), f64::INFINITY);
-                        continue;
-                    }
-                    let truth = exact_cumulant(*place, statistic, t);
-                    let excess = law.cumulant(statistic, t) - truth;
-                    worst = [worst[0].min(excess), worst[1].max(excess)];
-                    assert!(
-                        0.0 < excess && excess < 1e-12,
-                        "{place:?} {statistic:?} {t}: {excess:e}"
-                    );
+                let t = size / law.size(statistic);
+                worst = worst.max(share_of_slack(&law, *place, statistic, -t));
+                match place.0 {
+                    0 => assert_eq!(law.cumulant(statistic, t), f64::INFINITY),
+                    _ => worst = worst.max(share_of_slack(&law, *place, statistic, t)),
                 }
             }
         }
     }
-    println!("raised by {worst:?}");
+    println!("error at most {worst:.1e} of the slack");
+    assert!(worst < 0.1);
+}
+
+/// The error of a cumulant without its slack, in units of that.
+fn share_of_slack(law: &Law, place: (u64, u64, u64), statistic: Statistic, t: f64) -> f64 {
+    let greatest = match t > 0.0 {
+        true => t * statistic.of(place.2 as f64 / place.0 as f64),
+        false => 0.0,
+    };
+    let slack = 1e-12 * (1.0 + greatest);
+    let found = law.cumulant(statistic, t) - exact_cumulant(place, statistic, t);
+    // The innermost node lies a little outside Va, so that the slack is a little less.
+    println!("{place:?} {statistic:?} {t}: {:.1e}", found / slack - 1.0);
+    (found / slack - 1.0).abs()
 }
 
 /// `P(Bin(m, x) >= l)` in rational numbers.
@@ -202,7 +208,10 @@ fn the_distribution_function_of_thick_shells() {
         let peak = 5.0 + 1e6 * l as f64 / 1_000_001.0;
         let [below, above] = [peak * (1.0 - 1e-15), peak * (1.0 + 1e-15)];
         let jump = law.distribution(above) - law.distribution(below);
-        assert!(jump.abs() < 1e-11, "{l}: {jump:e}");
+        // The argument moves by 2e-15.
+        let share = l as f64 / 1_000_001.0;
+        let width = (share * (1.0 - share) / 1e6).sqrt();
+        assert!(jump.abs() < 1e-11 + 2e-15 / width, "{l}: {jump:e}");
         assert!(
             (0.3..0.7).contains(&law.distribution(peak)),
             "{l}: {}",
