@@ -9,7 +9,7 @@
 //! by Markov's inequality for `exp(t R mean)` (Chernoff, Annals of Mathematical Statistics 23, 1952); below alike with
 //! t <= 0. Since every t will do, the search for the best one need not be exact, and a t may not be found at all.
 //!
-//! Around Va = 0 the cumulant is infinite for t > 0. There the runs are first supposed to have no U below a volume u:
+//! Around Va = 0 the cumulant is infinite for t > 0, and in shells thicker than the volume inside it is raised much by the rarest U. There the runs are first supposed to have no U below a volume u:
 //! `P(mean >= a) <= R P(U < u) + exp(-R (t a - ln E[exp(t g); U >= u]))`. That is a bound for every u chosen before
 //! the runs are seen. For the innermost photons, whose mean is carried by rare small U, it says little, rightly.
 
@@ -24,8 +24,7 @@ const LARGEST: f64 = 5.0;
 
 /// A bound of the p-value of the sample mean of a statistic over `runs` runs, against both sides: twice the smaller
 /// bound of the two, at most 1. If the runs follow the law, the chance that it is `<= p` is at most p, for every p and
-/// every number of runs. `rare` is the probability that may be spent where the cumulant is infinite (see the
-/// module): a hundredth of the p-value looked for.
+/// every number of runs. `rare` is the probability that may be spent in thick shells (see the module): a hundredth of the p-value looked for.
 ///
 /// ```
 /// use claimcheck::simulate::verdict::{Law, Photon, Statistic, two_sided};
@@ -52,8 +51,8 @@ enum Side {
 /// A bound of the probability of a mean so far to one side, or farther.
 fn one_sided(law: &Law, statistic: Statistic, runs: u64, mean: f64, side: Side, rare: f64) -> f64 {
     let runs = runs as f64;
-    let infinite = law.photon().inner() == 0 && side == Side::Above;
-    let (start, beyond) = match infinite {
+    let thick = law.photon().inner() < law.photon().size();
+    let (start, beyond) = match thick && side == Side::Above {
         true => law.start(rare / runs),
         false => (0, 0.0),
     };

@@ -21,8 +21,8 @@ const LARGEST: f64 = 4.0;
 /// How many on either side: the least one is best after some 10^12 runs.
 const GRID: i32 = 21;
 
-/// Halvings of a distance, enough for doubles.
-const HALVINGS: u32 = 60;
+/// Halvings of a distance: ends of intervals to 12 digits of their length.
+const HALVINGS: u32 = 40;
 
 /// Doublings of a distance before it is called infinite.
 const DOUBLINGS: u32 = 200;

@@ -49,12 +49,12 @@ fn the_sequential_test_holds_its_level() {
         for _ in 0..simulations {
             let mut watches = fresh.clone();
             let mut left = false;
-            for _ in 0..40 {
+            for look in 0..40 {
                 let chunk = scene.simulate(&mut random, 10, Fault::None);
                 for watch in &mut watches {
                     watch.feed(&chunk).expect("the same photons");
                 }
-                left |= leaves_theory(&watches[0]);
+                left |= look % 10 == 9 && leaves_theory(&watches[0]);
             }
             for (count, watch) in alarms.iter_mut().zip(&watches) {
                 *count += u64::from(watch.contradicts());
