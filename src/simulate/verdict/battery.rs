@@ -1,9 +1,9 @@
 //! All photons of a simulation at once: do the means of d and of d^2 agree with theory?
 //!
-//! Each mean has a bound of its two-sided p-value ([`two_sided`]). With N tests at the family-wise level a, a p-value
-//! of at most a/N contradicts (Bonferroni: the chance of any false alarm is at most a, however the photons
-//! depend on each other). Which of the tests contradict is told by Holm's procedure, at the same level (Scandinavian
-//! Journal of Statistics 6, 1979).
+//! Each mean has a bound of its two-sided p-value ([`two_sided`]). With N tests at the family-wise level a, a
+//! p-value of at most a/N contradicts (Bonferroni: the chance of any false alarm is at most a, however the
+//! photons depend on each other). Which of the tests contradict is told by Holm's procedure, at the same level
+//! (Scandinavian Journal of Statistics 6, 1979).
 
 use super::theory::{Expected, Law, Photon, Statistic, expected};
 use super::{Error, checked_level, two_sided};
@@ -42,8 +42,8 @@ pub struct Finding {
     pub mean: f64,
     /// The mean in theory.
     pub expected: f64,
-    /// The difference in standard errors (those of theory); none where they are infinite. An effect size: it does
-    /// not decide.
+    /// The difference in standard errors (those of theory); none where they are infinite. An effect size: it
+    /// does not decide.
     pub z: Option<f64>,
     /// A bound of the p-value; 1 where z is so small that it was not computed.
     pub p: f64,
@@ -72,16 +72,17 @@ pub struct Report {
     pub chi_square: ChiSquare,
 }
 
-/// The sum of the squares of independent z of d: of one photon a shell, the first asked for whose variance is finite. By the
-/// central limit theorem about a chi-square with as many degrees of freedom: an approximation, for the eye.
+/// The sum of the squares of independent z of d: of one photon a shell, the first asked for whose variance is
+/// finite. By the central limit theorem about a chi-square with as many degrees of freedom: an approximation,
+/// for the eye.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ChiSquare {
     /// The degrees of freedom.
     pub shells: u64,
     /// The sum.
     pub value: f64,
-    /// About a standard normal variate (Wilson and Hilferty, PNAS 17, 1931); large where the z scatter too much,
-    /// negative where too little. 0 without shells.
+    /// About a standard normal variate (Wilson and Hilferty, PNAS 17, 1931); large where the z scatter too
+    /// much, negative where too little. 0 without shells.
     pub score: f64,
 }
 
@@ -206,8 +207,8 @@ impl Test<'_> {
         }
     }
 
-    /// Whether z is less than half of what contradicts by the normal law's own bound, `2 exp(-z^2/2)`. Then p is not
-    /// computed but called 1: not to contradict is never a false alarm, so the level holds.
+    /// Whether z is less than half of what contradicts by the normal law's own bound, `2 exp(-z^2/2)`. Then p
+    /// is not computed but called 1: not to contradict is never a false alarm, so the level holds.
     fn is_harmless(&self, z: f64) -> bool {
         z.abs() < critical(self.share) / 2.0
     }

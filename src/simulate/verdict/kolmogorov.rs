@@ -1,8 +1,9 @@
-//! Whether samples of U have the photon's law: the test of Kolmogorov and Smirnov, with a bound for every number of samples.
+//! Whether samples of U have the photon's law: the test of Kolmogorov and Smirnov, with a bound for every
+//! number of samples.
 //!
-//! `D` is the greatest distance between the share of samples up to a volume and its probability. For n independent
-//! samples `P(D > e) <= 2 exp(-2 n e^2)` (Dvoretzky, Kiefer and Wolfowitz 1956; the constant: Massart, Annals of
-//! Probability 18, 1990).
+//! `D` is the greatest distance between the share of samples up to a volume and its probability. For n
+//! independent samples `P(D > e) <= 2 exp(-2 n e^2)` (Dvoretzky, Kiefer and Wolfowitz 1956; the constant:
+//! Massart, Annals of Probability 18, 1990).
 
 use super::{Error, Law};
 use serde::{Deserialize, Serialize};

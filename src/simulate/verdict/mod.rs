@@ -1,7 +1,8 @@
-//! Tests of a simulation against theory. A declared error rate holds for every number of runs, not only in the limit.
+//! Tests of a simulation against theory. A declared error rate holds for every number of runs, not only in the
+//! limit.
 //!
-//! For a photon with volume U the simulation sums `d = k/U - 1` and `d^2` ([`Sums`](super::Sums)); theory knows the
-//! whole law of U ([`theory`]). What each test rests on:
+//! For a photon with volume U the simulation sums `d = k/U - 1` and `d^2` ([`Sums`](super::Sums)); theory
+//! knows the whole law of U ([`theory`]). What each test rests on:
 //!
 //! | test | asks | rate |
 //! |---|---|---|
@@ -11,10 +12,10 @@
 //! | [`z`] | does any sample mean agree with a value? | the normal law, an approximation: for alarms |
 //! | [`power`] | how many runs find a fault of a given size? | the normal law, an approximation: for planning |
 //!
-//! *Proved* is the inequality with the true cumulants. Those are computed here in doubles by a quadrature
-//! whose error is tested, not proved; it is some thousand roundings small, and a slack above it is added on the safe side
-//! (see [`theory::Law::cumulant`]). The rates further suppose independent runs whose sums are right to many more
-//! digits than their own scatter.
+//! *Proved* is the inequality with the true cumulants. Those are computed here in doubles by a quadrature whose
+//! error is tested, not proved; a slack of ten times the error seen is added on the safe side
+//! ([`Law::cumulant`]). The rates further suppose independent runs whose sums are right to many more digits
+//! than their own scatter.
 //!
 //! To agree is not to be proved: a fault smaller than the scatter is not seen ([`power`] says how small).
 

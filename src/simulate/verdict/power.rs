@@ -1,9 +1,9 @@
 //! How many runs find a fault of a given size: a plan, by the normal law, that tests compare with what happens.
 //!
 //! The fault makes every k/U larger by the factor 1 + e, so the mean of d moves by `e E_k`, which is
-//! `e E_k sqrt(R/Var_k)` standard errors after R runs. The battery needs about `sqrt(2 ln(2 N/a))` of them for one of N
-//! tests at the family-wise level a (Chernoff's bound for the normal law), and the normal quantile of the power on top.
-//! One photon is enough: the one with the least `Var_k/E_k^2`.
+//! `e E_k sqrt(R/Var_k)` standard errors after R runs. The battery needs about `sqrt(2 ln(2 N/a))` of them for one of
+//! N tests at the family-wise level a (Chernoff's bound for the normal law), and the normal quantile of the
+//! power on top. One photon is enough: the one with the least `Var_k/E_k^2`.
 
 use super::battery::critical;
 use super::theory::{Expected, expected};
@@ -23,7 +23,8 @@ pub struct Plan {
     pub k: u64,
 }
 
-/// The runs after which the battery over the photons `ks` finds that every k/U is larger by the factor `1 + fault`.
+/// The runs after which the battery over the photons `ks` finds that every k/U is larger by the factor
+/// `1 + fault`.
 ///
 /// ```
 /// use claimcheck::model::Layout;
@@ -37,8 +38,8 @@ pub struct Plan {
 /// ```
 ///
 /// # Errors
-/// [`Error`]: no photons, or none with a variance; photons that the layout has not, a level outside (0, 1), a fault that is
-/// not positive.
+/// [`Error`]: no photons, or none with a variance; photons that the layout has not, a level outside (0, 1), a
+/// fault that is not positive.
 pub fn plan(layout: &Layout, ks: &[u64], level: f64, fault: f64) -> Result<Plan, Error> {
     if !(fault > 0.0 && fault.is_finite()) {
         return Err(Error::Fault(fault));

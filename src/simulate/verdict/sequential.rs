@@ -1,14 +1,15 @@
 //! A test that may look at the simulation as often as it likes, and stop when it has seen enough.
 //!
-//! For a statistic g with `K(t) = ln E exp(t g)`, runs n and their sum S, `exp(t S - n K(t))` is a martingale with mean
-//! 1 if the runs follow the law, and so is any average of such over t, photons and statistics, however the photons of
-//! a run depend on each other. A martingale that is never negative ever reaches 1/a with probability at most a (Ville
-//! 1939). So the average over a grid of t (the method of mixtures: Robbins, Annals of Mathematical Statistics 41, 1970; Howard,
-//! Ramdas, McAuliffe and Sekhon, Annals of Statistics 49, 2021) contradicts theory once it has reached 1/a; the chance that it
-//! does so by mistake, at whatever run, is at most a.
+//! For a statistic g with `K(t) = ln E exp(t g)`, runs n and their sum S, `exp(t S - n K(t))` is a martingale
+//! with mean 1 if the runs follow the law, and so is any average of such over t, photons and statistics,
+//! however the photons of a run depend on each other. A martingale that is never negative ever reaches 1/a
+//! with probability at most a (Ville 1939). So the average over a grid of t (the method of mixtures: Robbins,
+//! Annals of Mathematical Statistics 41, 1970; Howard, Ramdas, McAuliffe and Sekhon, Annals of Statistics 49,
+//! 2021) contradicts theory once it has reached 1/a; the chance that it does so by mistake, at whatever run,
+//! is at most a.
 //!
-//! The same turned round gives intervals: if the law of d is that of theory but for a shift, the true mean lies at all times between those
-//! shifts that are not contradicted.
+//! The same turned round gives intervals: if the law of d is that of theory but for a shift, the true mean
+//! lies at all times between those shifts that are not contradicted.
 
 use super::theory::{Expected, Law, Statistic, expected};
 use super::{Error, checked_level};
@@ -84,7 +85,8 @@ impl Mixture {
         }
     }
 
-    /// ln of the martingale if g is larger by `shift` than theory has it. The t without a finite cumulant count as 0.
+    /// ln of the martingale if g is larger by `shift` than theory has it. The t without a finite cumulant
+    /// count as 0.
     fn evidence(&self, runs: f64, shift: f64) -> f64 {
         let exponents = self
             .tilts
@@ -93,8 +95,8 @@ impl Mixture {
         log_mean(exponents, 2.0 * f64::from(GRID))
     }
 
-    /// The distance from `middle`, in the direction of `step`, at which the evidence reaches a bound. (The martingale is convex in
-    /// the shift, so that is one place.)
+    /// The distance from `middle`, in the direction of `step`, at which the evidence reaches a bound. (The
+    /// martingale is convex in the shift, so that is one place.)
     fn reach(&self, runs: f64, middle: f64, step: f64, bound: f64) -> f64 {
         let reached = |distance: f64| self.evidence(runs, middle + distance) >= bound;
         let mut far = step;
@@ -120,8 +122,8 @@ impl Mixture {
 }
 
 impl Watch {
-    /// Watches some photons of a layout at a level. Some 100 microseconds and 2 kilobytes a photon: for a hundred or a
-    /// thousand of them.
+    /// Watches some photons of a layout at a level. Some 100 microseconds and 2 kilobytes a photon: for a
+    /// hundred or a thousand of them.
     ///
     /// ```
     /// use claimcheck::model::Layout;
@@ -154,8 +156,8 @@ impl Watch {
         }
     }
 
-    /// Adds a chunk of runs, and looks. It must hold the same photons, and be taken in whatever it says: which chunk
-    /// comes next must not depend on what is in it.
+    /// Adds a chunk of runs, and looks. It must hold the same photons, and be taken in whatever it says: which
+    /// chunk comes next must not depend on what is in it.
     ///
     /// # Errors
     /// `Empty` for a chunk of other photons or without sums for each; `NotANumber`. Nothing is added then.
@@ -205,15 +207,15 @@ impl Watch {
         log_mean(each, 2.0 * self.photons.len() as f64)
     }
 
-    /// Whether the runs contradict theory, or did so at an earlier look. The chance that this ever happens to runs
-    /// that follow theory is at most the level.
+    /// Whether the runs contradict theory, or did so at an earlier look. The chance that this ever happens to
+    /// runs that follow theory is at most the level.
     pub fn contradicts(&self) -> bool {
         self.peak >= -self.level.ln()
     }
 
-    /// For each photon what is known of the true `E k/U - 1`, if the law of k/U is that of theory but for a shift: then all
-    /// intervals at all looks hold it, with probability 1 - level at least. None before the first run, where theory has no mean, and
-    /// where no shift is left.
+    /// For each photon what is known of the true `E k/U - 1`, if the law of k/U is that of theory but for a
+    /// shift: then all intervals at all looks hold it, with probability 1 - level at least. None before the
+    /// first run, where theory has no mean, and where no shift is left.
     pub fn intervals(&self) -> Vec<Option<Interval>> {
         let bound = (self.photons.len() as f64 / self.level).ln();
         let each = self
@@ -223,7 +225,8 @@ impl Watch {
         each.collect()
     }
 
-    /// Whether every photon has an interval no wider than `half_width` to both sides: a precision at which to stop.
+    /// Whether every photon has an interval no wider than `half_width` to both sides: a precision at which to
+    /// stop.
     pub fn is_precise(&self, half_width: f64) -> bool {
         let mut intervals = self.intervals().into_iter();
         intervals.all(|interval| interval.is_some_and(|it| it.half_width() <= half_width))

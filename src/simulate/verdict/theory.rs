@@ -1,14 +1,15 @@
-//! What theory says of one photon: `E_k - 1` and `Var_k` by certified doubles, and by quadrature the means that need the
-//! whole law, such as `E d^4` and the cumulants `ln E exp(t d)`, `ln E exp(t d^2)`, where `d = k/U - 1`.
+//! What theory says of one photon: `E_k - 1` and `Var_k` by certified doubles, and by quadrature the means
+//! that need the whole law, such as `E d^4` and the cumulants `ln E exp(t d)`, `ln E exp(t d^2)`, where
+//! `d = k/U - 1`.
 //!
 //! The quadrature is the trapezoidal rule on the whole line of `s = ln(x/(1-x))`. There the density of
-//! `x ~ Beta(l, m-l+1)` is `x^l (1-x)^(m-l+1)` up to a factor: analytic for `|Im s| < pi`, log-concave, of width about
-//! `w = 1/sqrt((m+1) p (1-p))` around its peak `p = l/(m+1)`. So the rule converges exponentially (Trefethen and
-//! Weideman, SIAM Review 56, 2014, theorem 5.1); with steps of w/8 its error is below that of rounding. The same rule
-//! normalises the density, so no Gamma function is needed.
+//! `x ~ Beta(l, m-l+1)` is `x^l (1-x)^(m-l+1)` up to a factor: analytic for `|Im s| < pi`, log-concave, of width
+//! about `w = 1/sqrt((m+1) p (1-p))` around its peak `p = l/(m+1)`. So the rule converges exponentially
+//! (Trefethen and Weideman, SIAM Review 56, 2014, theorem 5.1); with steps of w/8 its error is below that of
+//! rounding. The same rule normalises the density, so no Gamma function is needed.
 //!
-//! What lies outside the nodes is not forgotten. A log-concave density f falls outwards of s at least as fast as
-//! an exponential of rate `r = |(ln f)'(s)|`, so the mass out there is at most `f(s)/r`; it counts with the
+//! What lies outside the nodes is not forgotten. A log-concave density f falls outwards of s at least as fast
+//! as an exponential of rate `r = |(ln f)'(s)|`, so the mass out there is at most `f(s)/r`; it counts with the
 //! worst value it could have.
 
 use super::Error;
@@ -22,8 +23,8 @@ const OUTSIDE: f64 = 1e-30;
 /// Steps of the quadrature in a width of the density.
 const STEPS: f64 = 8.0;
 
-/// What cumulants are raised by, for one and for each unit of the largest exponent. In tests their errors are below a
-/// tenth of it.
+/// What cumulants are raised by, for one and for each unit of the largest exponent. In tests their errors are
+/// below a tenth of it.
 const SLACK: f64 = 1e-12;
 
 /// What is summed over the runs.
@@ -213,8 +214,8 @@ struct Tail {
 }
 
 impl Tail {
-    /// A bound of `E exp(t g)` over the tail, divided by `exp(scale)`. Between the ends d is monotone, so `t g` is
-    /// largest at one of them or, for the square, where d = 0.
+    /// A bound of `E exp(t g)` over the tail, divided by `exp(scale)`. Between the ends d is monotone, so
+    /// `t g` is largest at one of them or, for the square, where d = 0.
     fn weight(self, statistic: Statistic, t: f64, scale: f64) -> f64 {
         let exponent = |d: f64| t * statistic.of(d);
         let worst = exponent(self.near).max(exponent(self.far)).max(0.0);
@@ -302,8 +303,8 @@ impl Density {
         1.0 / (STEPS * (self.a * self.q).sqrt())
     }
 
-    /// Places from the peak outwards, until so little is left outside that not even d^4, where its mean is finite,
-    /// notices: around Va = 0 it grows inwards like x^-4.
+    /// Places from the peak outwards, until so little is left outside that not even d^4, where its mean is
+    /// finite, notices: around Va = 0 it grows inwards like x^-4.
     fn outwards(&self, step: f64) -> Vec<Place> {
         let growth = match self.photon.inner {
             0 => 4.min(self.photon.position - 1) as i32,
@@ -365,8 +366,8 @@ impl Law {
         self.photon.inner > 0 || self.photon.position > power
     }
 
-    /// `E d^power` for a power from 1 to 4, by quadrature: relative to `E |d|^power` right to 11 digits at least in
-    /// tests up to m = 10^6. `+inf` where it is infinite.
+    /// `E d^power` for a power from 1 to 4, by quadrature: relative to `E |d|^power` right to 11 digits at
+    /// least in tests up to m = 10^6. `+inf` where it is infinite.
     ///
     /// ```
     /// use claimcheck::simulate::verdict::{Law, Photon};
@@ -404,9 +405,9 @@ impl Law {
         terms.sum()
     }
 
-    /// `K(t) = ln E exp(t g)`, rounded up: a slack of `1e-12 (1 + max(t g))` is added. In tests the error of the
-    /// quadrature is below a tenth of that, for |t| up to 5 in units of `1/E min(|g|, 1)`. `+inf` where it is infinite: around Va = 0
-    /// for t > 0.
+    /// `K(t) = ln E exp(t g)`, rounded up: a slack of `1e-12 (1 + max(t g))` is added. In tests the error of
+    /// the quadrature is below a tenth of that, for |t| up to 5 in units of `1/E min(|g|, 1)`. `+inf` where it
+    /// is infinite: around Va = 0 for t > 0.
     pub fn cumulant(&self, statistic: Statistic, t: f64) -> f64 {
         match t == 0.0 {
             true => 0.0,
@@ -415,8 +416,8 @@ impl Law {
     }
 
     /// The cumulant and its slopes. The nodes before `start`, and with them the innermost tail, are left out
-    /// unless it is 0. (A node at the cut has its whole weight. Where the integrand falls from the cut on, such a
-    /// sum is more than the integral, step for step.)
+    /// unless it is 0. (A node at the cut has its whole weight. Where the integrand falls from the cut on,
+    /// such a sum is more than the integral, step for step.)
     pub(super) fn tilted(&self, statistic: Statistic, t: f64, start: usize) -> Tilted {
         let nodes = self.nodes.get(start..).unwrap_or_default();
         let ends = [nodes.first(), nodes.last()];
@@ -455,9 +456,9 @@ impl Law {
         (start, beyond)
     }
 
-    /// `P(U <= volume)`. For integers this is the tail of a binomial law, `P(Bin(m, x) >= l)` (DLMF 8.17.5); of its two
-    /// tails the one is summed whose terms fall from the first on, so that nothing cancels: some `8 sqrt(m)` terms
-    /// at most. The first term is the density of s at x, over `l (1-x)` or `(m-l+1) x`.
+    /// `P(U <= volume)`. For integers this is the tail of a binomial law, `P(Bin(m, x) >= l)` (DLMF 8.17.5);
+    /// of its two tails the one is summed whose terms fall from the first on, so that nothing cancels: some
+    /// `8 sqrt(m)` terms at most. The first term is the density of s at x, over `l (1-x)` or `(m-l+1) x`.
     ///
     /// ```
     /// use claimcheck::simulate::verdict::{Law, Photon};
@@ -489,15 +490,17 @@ impl Law {
         }
     }
 
-    /// How much `P(U <= volume)` may be off: rounding moves U by a unit of the outermost volume, and the density of U is
-    /// at most 1 (it is a probability of the binomial law, `P(Bin(m-1, x) = l-1)`); the rest for the function itself.
+    /// How much `P(U <= volume)` may be off: rounding moves U by a unit of the outermost volume, and the
+    /// density of U is at most 1 (it is a probability of the binomial law, `P(Bin(m-1, x) = l-1)`); the rest
+    /// for the function itself.
     pub(super) fn blur(&self) -> f64 {
         (self.photon.inner + self.photon.size) as f64 * f64::EPSILON + 1e-11
     }
 }
 
 impl Density {
-    /// The density at x, over its height. Where x is near p, both logarithms are of the one difference, so that its rounding cancels.
+    /// The density at x, over its height. Where x is near p, both logarithms are of the one difference, so
+    /// that its rounding cancels.
     fn at_share(&self, x: f64) -> f64 {
         let near = x - self.p;
         let logarithm = |x: f64, near: f64, p: f64| match x > p / 2.0 {

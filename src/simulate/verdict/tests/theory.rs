@@ -75,7 +75,7 @@ fn exact_moment(size: u64, position: u64, power: u32) -> f64 {
     let mut inverse = Rational::from(1);
     let (mut sum, mut binomial) = (Rational::new(), Rational::from(1));
     for p in 0..=power {
-        let sign = if (power - p) % 2 == 0 { 1 } else { -1 };
+        let sign = if (power - p).is_multiple_of(2) { 1 } else { -1 };
         sum += Rational::from(&binomial * &inverse) * sign;
         if p == power {
             break;
