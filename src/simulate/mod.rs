@@ -8,6 +8,7 @@ mod place;
 mod scene;
 mod stream;
 mod sums;
+pub mod verdict;
 mod visit;
 
 pub use scene::{Fault, Mode, Scene, SceneError};
