@@ -1,9 +1,9 @@
 //! `claimcheck check`: the main job.
 
 use super::judging::{Judging, Want};
-use super::output::{Exit, Failure, to_stderr, to_stdout};
-use crate::corpus::Run;
+use super::output::{Exit, Failure, internal, to_stderr, to_stdout};
 use crate::corpus::certificates::Store;
+use crate::corpus::{Alarm, Run};
 use crate::report::human::{self, Rows};
 use crate::report::{json, junit, sarif};
 use clap::{Args, ValueEnum};
@@ -19,6 +19,9 @@ pub(super) struct Check {
     /// Writes the certificates of what is proved or refuted
     #[arg(long)]
     save: bool,
+    /// Simulates what holds as well: a z-value beside each verdict with draws, which never changes it
+    #[arg(long)]
+    simulate: bool,
     #[command(flatten)]
     judging: Judging,
 }
@@ -38,7 +41,11 @@ impl Check {
         } else {
             Want::Reports
         };
-        let run = self.judging.run(self.only, want)?;
+        let mut run = self.judging.run(self.only, want)?;
+        let alarms = match self.simulate {
+            true => self.judging.simulate(&mut run)?,
+            false => vec![],
+        };
         let rows = if self.judging.quiet {
             Rows::Unexpected
         } else {
@@ -48,8 +55,28 @@ impl Check {
         if self.save && !self.judging.quiet {
             to_stderr(&saved(&run, &self.judging.library.store()));
         }
-        Ok(exit(&run))
+        match alarms.is_empty() {
+            true => Ok(exit(&run)),
+            false => Err(alarmed(&alarms)),
+        }
     }
+}
+
+/// A simulation and a verdict that contradict each other: one of them is wrong, whatever was expected.
+fn alarmed(alarms: &[Alarm]) -> Failure {
+    let told = alarms.iter().map(|alarm| {
+        let Alarm {
+            id,
+            verdict,
+            simulation,
+        } = alarm;
+        let words = verdict.word();
+        format!(
+            "{id} is {words}, but its simulation says z = {:.1}",
+            simulation.z
+        )
+    });
+    internal(&told.collect::<Vec<_>>().join("; "))
 }
 
 /// What became of the certificates, in words.

@@ -2,12 +2,12 @@
 
 use super::check::unwritable;
 use super::output::{Exit, Failure, to_stdout};
+use super::setting::settings;
 use crate::evaluate::{self, Context, Failure as Failed, Outcome};
 use crate::formula::{
     Budget, Draw, Formula, Name, Operator, Part, Point, Substitution, free_names, parse_formula,
     parse_law,
 };
-use crate::number::convert::from_rug;
 use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
 
@@ -54,15 +54,7 @@ impl Eval {
     pub(super) fn run(self) -> Result<Exit, Failure> {
         let formula = parse(&self.formula, "EXPR")?;
         let budget = Budget::new(self.budget);
-        let settings = self.set.iter().flat_map(|set| split_at_commas(set));
-        let settings = settings
-            .map(|set| setting(set, &budget))
-            .collect::<Result<Vec<_>, _>>()?;
-        for (index, (name, _)) in settings.iter().enumerate() {
-            if settings[..index].iter().any(|(other, _)| other == name) {
-                return Err(Failure::input(&format!("`{name}` is set twice"), None));
-            }
-        }
+        let settings = settings(&self.set, &budget)?;
         let draws = self
             .draw
             .iter()
@@ -80,49 +72,6 @@ impl Eval {
 
 fn parse(text: &str, argument: &str) -> Result<Formula, Failure> {
     parse_formula(text).map_err(|error| Failure::at(argument, text, &error))
-}
-
-/// The parts between the commas that are in no bracket.
-fn split_at_commas(text: &str) -> Vec<&str> {
-    let (mut depth, mut start, mut parts) = (0, 0, Vec::new());
-    for (at, c) in text.char_indices() {
-        match c {
-            '(' | '[' => depth += 1,
-            ')' | ']' => depth -= 1,
-            ',' if depth == 0 => {
-                parts.push(&text[start..at]);
-                start = at + 1;
-            }
-            _ => {}
-        }
-    }
-    parts.push(&text[start..]);
-    parts
-}
-
-/// `NAME=EXPR`; a rational value is worked out, any other stays a formula.
-fn setting(text: &str, budget: &Budget) -> Result<(Name, Formula), Failure> {
-    let Some((name, value)) = text.split_once('=') else {
-        let hint = Some("write --set k=5,n=10^3");
-        return Err(Failure::input(&format!("`{text}` sets no name"), hint));
-    };
-    let formula = parse(value, "--set")?;
-    if let Some(free) = free_names(&formula).first() {
-        let message = format!("the value of `{}` needs `{free}`", name.trim());
-        return Err(Failure::input(&message, Some("values hold numbers only")));
-    }
-    let (point, draws) = (Point::default(), []);
-    let context = Context {
-        point: &point,
-        draws: &draws,
-        budget,
-    };
-    let exact = match evaluate::exact(&formula, &context) {
-        Ok(Outcome::Value(exact)) => exact.as_rational(),
-        _ => None,
-    };
-    let number = exact.map(|rational| Formula::Number(from_rug(&rational)));
-    Ok((name.trim().into(), number.unwrap_or(formula)))
 }
 
 /// `NAME ~ LAW`
@@ -274,17 +223,5 @@ fn human(answer: &Answer) -> String {
     match &answer.exact {
         Some(exact) if exact != value && exact.len() <= WIDTH => format!("{value}\n= {exact}\n"),
         _ => format!("{value}\n"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::split_at_commas;
-
-    #[test]
-    fn commas_inside_brackets_do_not_part() {
-        assert_eq!(split_at_commas("k=5,n=beta(2,3)"), ["k=5", "n=beta(2,3)"]);
-        assert_eq!(split_at_commas(""), [""]);
-        assert_eq!(split_at_commas("a=1)),b=(2"), ["a=1)),b=(2"]);
     }
 }

@@ -4,7 +4,7 @@ use super::library::Library;
 use super::output::{Failure, of_run, to_stderr};
 use super::progress::Bar;
 use crate::corpus::cache::Cache;
-use crate::corpus::{self, FromCache, Options, Run};
+use crate::corpus::{self, Alarm, FromCache, Options, Run};
 use crate::judge::Settings;
 use clap::Args;
 
@@ -49,12 +49,7 @@ impl Judging {
     /// Judges the claims of the book: those that `only` names, or all.
     pub(super) fn run(&self, only: Vec<String>, want: Want) -> Result<Run, Failure> {
         let book = self.library.open()?;
-        let settings = Settings {
-            seed: self.seed,
-            digits: self.digits,
-            budget: self.budget,
-            ..Settings::default()
-        };
+        let settings = self.settings();
         let options = Options {
             only,
             jobs: self.jobs.unwrap_or(0).into(),
@@ -76,6 +71,28 @@ impl Judging {
                 .for_each(|note| to_stderr(note));
         }
         Ok(run)
+    }
+}
+
+impl Judging {
+    pub(super) fn settings(&self) -> Settings {
+        Settings {
+            seed: self.seed,
+            digits: self.digits,
+            budget: self.budget,
+            ..Settings::default()
+        }
+    }
+
+    /// Adds simulations to what a run found to hold; those that contradict a verdict come back.
+    pub(super) fn simulate(&self, run: &mut Run) -> Result<Vec<Alarm>, Failure> {
+        let book = self.library.open()?;
+        let bar = Bar::new(run.reports.len(), "claims simulated", self.quiet);
+        let jobs = self.jobs.unwrap_or(0).into();
+        let progress = |done| bar.show(done);
+        let alarms = corpus::add_simulations(run, &book, &self.settings(), jobs, progress);
+        bar.clear();
+        alarms.map_err(of_run)
     }
 }
 

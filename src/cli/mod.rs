@@ -21,6 +21,10 @@ mod progress;
 mod recheck;
 #[cfg(feature = "engine")]
 mod report;
+#[cfg(feature = "engine")]
+mod setting;
+#[cfg(feature = "engine")]
+mod simulate;
 
 use clap::{Parser, Subcommand};
 use output::{Exit, Failure};
@@ -50,6 +54,8 @@ enum Command {
     Probe(probe::Probe),
     #[cfg(feature = "engine")]
     Report(report::Report),
+    #[cfg(feature = "engine")]
+    Simulate(simulate::Simulate),
     Recheck(recheck::Recheck),
     /// A command that this build does not have.
     #[cfg(not(feature = "engine"))]
@@ -108,6 +114,7 @@ fn run(command: Command) -> Result<Exit, Failure> {
         Command::Errata(errata) => errata.run(),
         Command::Probe(probe) => probe.run(),
         Command::Report(report) => report.run(),
+        Command::Simulate(simulate) => simulate.run(),
         Command::Recheck(recheck) => recheck.run(),
     }
 }

@@ -9,9 +9,13 @@ pub mod file;
 pub mod recheck;
 #[cfg(feature = "engine")]
 mod run;
+#[cfg(feature = "engine")]
+mod simulate;
 
 #[cfg(feature = "engine")]
 pub use run::{FromCache, Options, Run, Saved, run};
+#[cfg(feature = "engine")]
+pub use simulate::{Alarm, add_simulations};
 
 use crate::book::{Book, Claim};
 use crate::formula::nearest;

@@ -181,7 +181,7 @@ fn sound(report: Report) -> Result<Report, Error> {
     }
 }
 
-fn answers(report: &mut Report) -> impl Iterator<Item = &mut Answer> {
+pub(super) fn answers(report: &mut Report) -> impl Iterator<Item = &mut Answer> {
     std::iter::once(&mut report.printed).chain(&mut report.mended)
 }
 
@@ -201,12 +201,12 @@ fn save(store: &Store, claim: &Claim, found: &[Certificate]) -> Result<bool, Err
 }
 
 /// The reports in the order of the claims, or the error of the first claim that has one.
-fn in_parallel(
+pub(super) fn in_parallel<T: Send>(
     claims: Vec<&Claim>,
     jobs: usize,
-    judge: impl Fn(&Claim) -> Result<Report, Error> + Sync,
+    work: impl Fn(&Claim) -> Result<T, Error> + Sync,
     progress: impl Fn(usize) + Sync,
-) -> Result<Vec<Report>, Error> {
+) -> Result<Vec<T>, Error> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(jobs)
         .stack_size(STACK_BYTES)
@@ -214,21 +214,18 @@ fn in_parallel(
         .map_err(|error| Error::Threads(error.to_string()))?;
     let done = AtomicUsize::new(0);
     let one = |claim: &&Claim| {
-        let report = guarded(claim, &judge);
+        let found = guarded(claim, &work);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-        report
+        found
     };
     // Collected whole before the first error is taken, so that it is the first of the book.
-    let reports: Vec<_> = pool.install(|| claims.par_iter().map(one).collect());
-    reports.into_iter().collect()
+    let found: Vec<_> = pool.install(|| claims.par_iter().map(one).collect());
+    found.into_iter().collect()
 }
 
 /// One claim; a panic becomes an error that names it.
-fn guarded(
-    claim: &Claim,
-    judge: &impl Fn(&Claim) -> Result<Report, Error>,
-) -> Result<Report, Error> {
-    catch_unwind(AssertUnwindSafe(|| judge(claim))).unwrap_or_else(|panic| {
+fn guarded<T>(claim: &Claim, work: &impl Fn(&Claim) -> Result<T, Error>) -> Result<T, Error> {
+    catch_unwind(AssertUnwindSafe(|| work(claim))).unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
         let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
         Err(Error::Internal {

@@ -12,11 +12,13 @@ mod points;
 mod proof;
 mod relate;
 mod search;
+mod simulation;
 mod statement;
 mod vacuous;
 mod values;
 mod verdict;
 
+pub use simulation::{Simulation, Trial, Trials, simulate};
 pub use verdict::{
     Answer, Cause, Constants, Extent, Kind, LinkReport, Report, Verdict, WitnessReport,
 };
@@ -252,6 +254,7 @@ fn answer(
         proved_links: theorem.map_or_else(Vec::new, |t| t.links().iter().map(|l| l + 1).collect()),
         facts: theorem.map_or_else(Vec::new, facts),
         certificate: None,
+        simulation: None,
         evidence: certificate(unfolded, finding.proof.as_deref(), finding.witness.as_ref()),
         witness: finding
             .witness

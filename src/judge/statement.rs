@@ -213,6 +213,22 @@ pub fn relations(statement: &Statement) -> Vec<(&Formula, &Formula)> {
     parts(statement).into_iter().filter_map(sides).collect()
 }
 
+/// The relations of a statement that can be tried at a point, with their numbers from 1.
+pub fn numbered_relations(statement: &Statement) -> Vec<(usize, &Formula, Relation, &Formula)> {
+    let related = |part: &&Part| matches!(part, Part::Relation { .. } | Part::Expansion { .. });
+    let parts = parts(statement);
+    let numbered = parts.iter().filter(related).zip(1..);
+    let sides = numbered.filter_map(|(part, number)| match *part {
+        Part::Relation {
+            left,
+            relation,
+            right,
+        } => Some((number, left, relation, right)),
+        _ => None,
+    });
+    sides.collect()
+}
+
 /// Whether a link speaks of a limit.
 pub fn is_expansion(relation: Relation, right: &Formula) -> bool {
     matches!(relation, Relation::Asymptotic | Relation::Approximate) || has_order_term(right)

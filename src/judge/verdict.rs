@@ -1,6 +1,7 @@
 //! What the judge answers, as plain data: the JSON of the command line is this, field by field, and
 //! what is read back from there is the same.
 
+use super::simulation::Simulation;
 use crate::book::Fault;
 use crate::kernel::proof::Certificate;
 use serde::{Deserialize, Serialize};
@@ -113,6 +114,9 @@ pub struct Answer {
     pub facts: Vec<String>,
     /// The file that holds the certificate, relative to the book; none where it is not saved.
     pub certificate: Option<String>,
+    /// What a simulation says, where one was asked for; it is no part of the verdict.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub simulation: Option<Simulation>,
     /// What the kernel replays: the proof, or the witness.
     #[serde(skip)]
     pub evidence: Option<Certificate>,

@@ -26,6 +26,8 @@ pub mod probe;
 #[cfg(feature = "engine")]
 pub mod sarif;
 #[cfg(feature = "engine")]
+pub mod simulate;
+#[cfg(feature = "engine")]
 mod tally;
 #[cfg(feature = "engine")]
 mod typeset;

@@ -15,7 +15,7 @@ pub(super) fn beta(random: &mut Single<'_>, a: f64, b: f64) -> f64 {
 }
 
 /// A number of the law Gamma(a), a at least 1.
-fn gamma(random: &mut Single<'_>, a: f64) -> f64 {
+pub(super) fn gamma(random: &mut Single<'_>, a: f64) -> f64 {
     let d = a - 1.0 / 3.0;
     let c = 1.0 / (9.0 * d).sqrt();
     loop {

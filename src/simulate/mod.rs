@@ -2,7 +2,9 @@
 
 mod beta;
 mod block;
+mod claim;
 mod draw;
+mod law;
 mod logarithm;
 mod place;
 mod scene;
@@ -11,6 +13,7 @@ mod sums;
 pub mod verdict;
 mod visit;
 
+pub use claim::{Simulated, simulate_relation};
 pub use scene::{Fault, Mode, Scene, SceneError};
 pub use sums::{OtherPhotons, Sums};
 

@@ -1,6 +1,7 @@
 //! All that is known of one claim, as labelled lines.
 
 use super::super::words::{counted, place, sides};
+use super::simulation;
 use super::tally;
 use super::{BAD, FAINT, STRONG, WIDTH, WRONG, paint, style};
 use crate::judge::{Answer, Extent, Report, Verdict, WitnessReport};
@@ -90,6 +91,8 @@ fn answer(text: &mut String, label: &str, answer: &Answer) {
         line(text, "rests on", &answer.facts.join(", "));
     }
     optional(text, "saved", answer.certificate.as_deref());
+    let simulated = answer.simulation.as_ref().map(simulation::words);
+    optional(text, "simulated", simulated.as_deref());
 }
 
 fn extent_words(extent: &Extent) -> String {

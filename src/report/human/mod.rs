@@ -1,6 +1,7 @@
 //! The report for people: a table of verdicts, the counts, and the details of what is not as expected.
 
 pub mod detail;
+mod simulation;
 mod table;
 
 #[cfg(test)]
@@ -36,6 +37,7 @@ pub fn render(run: &Run, rows: Rows) -> String {
         text.push_str(&detail::render(report));
         text.push('\n');
     }
+    text.push_str(&simulation::render(run));
     text.push_str(&summary(run));
     text
 }

@@ -29,6 +29,7 @@ fn answer(verdict: Verdict, written: &str) -> Answer {
         proved_links: Vec::new(),
         facts: Vec::new(),
         certificate: None,
+        simulation: None,
         evidence: None,
     }
 }

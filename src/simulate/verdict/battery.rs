@@ -215,7 +215,7 @@ impl Test<'_> {
 }
 
 /// The z that contradicts where Chernoff's bound is that of the normal law: `2 exp(-z^2/2) = share`.
-pub(super) fn critical(share: f64) -> f64 {
+pub fn critical(share: f64) -> f64 {
     (2.0 * (2.0 / share).ln()).sqrt()
 }
 

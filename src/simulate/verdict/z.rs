@@ -90,6 +90,11 @@ impl Sample {
         self.mean
     }
 
+    /// Their variance, around the sample mean, over n - 1; NaN of one value.
+    pub fn variance(&self) -> f64 {
+        self.second / (self.count as f64 - 1.0)
+    }
+
     /// Their fourth central moment over the square of their variance; at least 1, for a normal law 3. NaN
     /// where all values are equal or one is not finite.
     pub fn kurtosis(&self) -> f64 {
