@@ -43,9 +43,18 @@ pub(super) fn minus_ln(u: f64) -> f64 {
     let (exponent, f) = split(u);
     let s = (1.0 - f) / (1.0 + f);
     let z = s * s;
-    let p = P.iter().fold(0.0, |sum, coefficient| sum * z + coefficient);
     let y = s + s;
-    (y - exponent * HIGH) + (y * (z * p) - exponent * LOW)
+    (y - exponent * HIGH) + (y * (z * polynomial(z)) - exponent * LOW)
+}
+
+/// P, by pairs (Gerald Estrin, 1960): fewer operations wait for one another than by Horner's rule.
+#[inline(always)]
+fn polynomial(z: f64) -> f64 {
+    let [p6, p5, p4, p3, p2, p1, p0] = P;
+    let z2 = z * z;
+    let low = (p0 + p1 * z) + (p2 + p3 * z) * z2;
+    let high = (p4 + p5 * z) + p6 * z2;
+    low + high * (z2 * z2)
 }
 
 /// e and f.
@@ -146,7 +155,7 @@ mod tests {
             photon: 0,
         }
         .stream();
-        let random: Vec<f64> = (0..2000).flat_map(|_| stream.uniforms()).collect();
+        let random: Vec<f64> = (0..200).flat_map(|_| stream.uniforms().0).collect();
         let odd = |j: u64| (2 * j + 1) as f64 * 2f64.powi(-53);
         let least = (0..2000).map(odd);
         let greatest = (1..2000).map(|j| odd((1 << 52) - j));
@@ -175,7 +184,7 @@ mod tests {
 
         #[inline(always)]
         fn run(self) -> Self::Output {
-            self.0.map(|u| minus_ln(u).to_bits())
+            self.0.0.map(|u| minus_ln(u).to_bits())
         }
     }
 

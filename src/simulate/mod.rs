@@ -2,14 +2,17 @@
 
 mod beta;
 mod block;
+mod checkpoint;
 mod draw;
 mod logarithm;
 mod place;
+mod run;
 mod scene;
 mod stream;
 mod sums;
 mod visit;
 
+pub use checkpoint::{Checkpoint, CheckpointError};
 pub use scene::{Fault, Mode, Scene, SceneError};
 pub use sums::{OtherPhotons, Sums};
 
@@ -70,6 +73,21 @@ impl Simulation {
         self.scene.runs.div_ceil(self.chunk_runs)
     }
 
+    /// The photons that are asked for, ascending.
+    pub fn photons(&self) -> &[u64] {
+        &self.photons
+    }
+
+    /// Sums of no runs.
+    fn no_runs(&self) -> Sums {
+        Sums::new(self.photons.clone())
+    }
+
+    /// Whether so many runs are some chunks, or all.
+    fn ends_a_chunk(&self, runs: u64) -> bool {
+        runs == self.scene.runs || runs < self.scene.runs && runs.is_multiple_of(self.chunk_runs)
+    }
+
     /// How many runs a chunk has; none past the last.
     fn runs_of(&self, chunk: u64) -> u64 {
         let before = chunk.saturating_mul(self.chunk_runs);
@@ -78,7 +96,7 @@ impl Simulation {
 
     /// Draws a chunk of the runs. One past the last has no runs.
     pub fn chunk(&self, chunk: u64) -> Sums {
-        let mut sums = Sums::new(self.photons.clone());
+        let mut sums = self.no_runs();
         sums.runs = self.runs_of(chunk);
         let mut adder = Adder::default();
         let mut rows = vec![];
