@@ -3,12 +3,15 @@
 //!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: E, V, or B for both)
 //!     ours sweep   A B D                all photons A..B: sweep A B D COUNT
 //!     ours doubles A B                 the same as doubles: doubles LANES A B SECONDS COUNT, a line for each lanes
+//!     ours simulation M R              strategies 1 and 2, M shells of strategy 2, R runs on one core: simulation STRATEGY LANES
+//!                                      SECONDS PHOTONS, a line for each lanes
 //!
 //! Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
 
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
 use claimcheck::number::Lanes;
+use claimcheck::simulate::{Scene, Simulation};
 use claimcheck::special::doubles::Doubles;
 use claimcheck::special::shell::{Quantity, enclose, enclose_all};
 use claimcheck::special::sweep::sweep;
@@ -23,10 +26,13 @@ fn main() -> ExitCode {
         ["points", photons, digits] => points(photons, digits),
         ["sweep", first, last, digits] => whole_sweep(first, last, digits),
         ["doubles", first, last] => doubles(first, last),
+        ["simulation", shells, runs] => simulation(shells, runs),
         _ => None,
     };
     if done.is_none() {
-        eprintln!("usage: ours points K,K,... D,D,... | ours sweep A B D | ours doubles A B");
+        eprintln!(
+            "usage: ours points K,K,... D,D,... | ours sweep A B D  | ours doubles A B | ours simulation M R"
+        );
         return ExitCode::from(2);
     }
     ExitCode::SUCCESS
@@ -111,4 +117,25 @@ fn all_doubles(first: u64, last: u64, lanes: Lanes) -> Option<usize> {
         count += black_box(block).excess.len();
     }
     Some(count)
+}
+
+fn simulation(shells: &str, runs: &str) -> Option<()> {
+    let (shells, runs): (u64, u64) = (shells.parse().ok()?, runs.parse().ok()?);
+    let photons = shells * (shells + 1) / 2;
+    for (strategy, layout) in [(1, Layout::One), (2, Layout::Triangular)] {
+        let scene = Scene::new(layout, photons, runs, 1);
+        for lanes in Lanes::available() {
+            let simulation = Simulation::new(scene.clone()).ok()?.with_lanes(lanes);
+            let start = Instant::now();
+            for chunk in 0..simulation.chunks() {
+                black_box(simulation.chunk(chunk));
+            }
+            let seconds = start.elapsed().as_secs_f64();
+            println!(
+                "simulation {strategy} {lanes} {seconds:.6e} {}",
+                photons * runs
+            );
+        }
+    }
+    Some(())
 }

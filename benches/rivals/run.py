@@ -1,6 +1,6 @@
-"""Compares this program with C FLINT 3, mpmath and the thesis's own way, in one run, and prints ratios.
+"""Compares this program with C FLINT 3, mpmath, the thesis's own way and numpy, in one run, and prints ratios.
 
-    python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM]
+    python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM] [--sweeps | --simulation]
 
 Standard library only. Each rival that is not there is skipped with a message that says how to get it; see
 README.md beside this file. The jobs are interleaved: in each round every tool runs each job once, one after
@@ -20,6 +20,8 @@ ROOT = HERE.parent.parent
 sys.set_int_max_str_digits(0)
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
 DOUBLES = ((4, 100000), (72 * 10**6, 73 * 10**6), (10**12, 10**12 + 10**6))
+# Shells of strategy 2, and runs.
+SIMULATION = (400, 1000)
 SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
 
 
@@ -69,6 +71,13 @@ def python_rival():
         say("skipped: mpmath and the thesis's own way (pip install mpmath)")
         return None
     return [sys.executable, str(HERE / "slow.py")]
+
+
+def numpy_rival():
+    if subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True).returncode:
+        say("skipped: numpy (pip install numpy)")
+        return None
+    return [sys.executable, str(HERE / "simulation.py")]
 
 
 def output_and_cost(command):
@@ -161,16 +170,47 @@ def print_doubles(costs, sweeps):
         print(f"k = {first}..{last}, {lanes}: {cost:.6f} ({(last - first + 1) / cost:.2e}){ratio}")
 
 
+def simulation(program, costs):
+    text, _ = output_and_cost([*program, *map(str, SIMULATION)])
+    for line in text.splitlines():
+        _, strategy, tool, seconds, photons = line.split()
+        key = (strategy, tool)
+        costs[key] = max(int(photons) / float(seconds), costs.get(key, 0.0))
+
+
+def print_simulation(costs):
+    shells, runs = SIMULATION
+    print(f"\nsimulation, U alone, {shells * (shells + 1) // 2} photons, {runs} runs, one core: photons a second")
+    for (strategy, tool), speed in sorted(costs.items()):
+        rival = costs.get((strategy, "numpy"))
+        ratio = f"   ratio to numpy {speed / rival:.2f}" if rival and tool != "numpy" else ""
+        print(f"strategy {strategy}, {tool}: {speed:.3e}{ratio}")
+
+
+def simulations(ours, rounds):
+    numpy, costs = numpy_rival(), {}
+    for _ in range(rounds):
+        simulation([*ours, "simulation"], costs)
+        if numpy:
+            simulation(numpy, costs)
+    print_simulation(costs)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="one round, up to 1000 digits, no sweep at 1000")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--sweeps", action="store_true", help="sweeps only")
+    parser.add_argument("--simulation", action="store_true", help="simulation only")
     parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
     options = parser.parse_args()
     rounds = 1 if options.quick else options.rounds
+    ours = [str(options.ours or build_ours())]
+    if options.simulation:
+        simulations(ours, rounds)
+        return
     with tempfile.TemporaryDirectory() as folder:
-        tools = {"ours": [str(options.ours or build_ours())]}
+        tools = {"ours": ours}
         flint = build_flint(pathlib.Path(folder))
         if flint:
             tools["C FLINT"] = [str(flint)]
@@ -197,6 +237,8 @@ def main():
         print_digits(table, digits, PHOTONS)
     print_sweeps(costs)
     print_doubles(double_costs, costs)
+    if not options.sweeps:
+        simulations(ours, rounds)
 
 
 if __name__ == "__main__":

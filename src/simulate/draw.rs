@@ -45,8 +45,8 @@ impl<V: Visitor> Batch<'_, V> {
     }
 
     /// How many photons are drawn in it.
-    fn drawn(&self) -> usize {
-        let count = self.block.count as usize;
+    fn drawn(&self) -> u64 {
+        let count = self.block.count;
         match self.scene.fault {
             Some(Fault::ShellCount) => count + 1,
             Some(Fault::Dropped) => count - 1,
@@ -66,22 +66,31 @@ impl<V: Visitor> Task for Singles<'_, V> {
         let batch = self.0;
         let mut before = batch.block.inner;
         for (index, &k) in batch.asked.iter().enumerate() {
-            while before + 1 < k {
-                batch.stream.uniforms();
-                before += 1;
-            }
-            let place = Place::new(batch.scene, before as f64, 1.0);
-            let mut row = batch.stream.uniforms();
-            scale(&mut row, &[place.volume; LANES]);
-            place.store(&mut row);
+            skip(batch.stream, k - 1 - before);
+            let place = Place::new(batch.scene, (k - 1) as f64, 1.0);
+            let row = place.store(&Row::all(place.volume), &batch.stream.uniforms());
             batch.visitor.photon(index, &place, 1.0, &row);
-            before += 1;
+            before = k;
         }
+        // The next runs draw the same whichever photons are asked for.
+        let end = batch.block.inner + batch.block.count;
+        skip(batch.stream, end.min(batch.scene.photons) - before);
     }
 }
 
-/// Normalised partial sums of exponentials.
+/// Passes over the numbers of some photons.
+fn skip(stream: &mut Stream, photons: u64) {
+    for _ in 0..photons {
+        stream.uniforms();
+    }
+}
+
+/// Normalised partial sums of exponentials. They are kept where a near cache holds them; else the same numbers are drawn
+/// once more when the totals are known.
 struct Spacings<'a, V>(Batch<'a, V>);
+
+/// Rows that a near cache holds: 1 MiB.
+const NEAR: u64 = 1 << 12;
 
 impl<V: Visitor> Task for Spacings<'_, V> {
     type Output = ();
@@ -89,32 +98,47 @@ impl<V: Visitor> Task for Spacings<'_, V> {
     #[inline(always)]
     fn run(self) {
         let place = self.0.place();
-        let batch = self.0;
-        let drawn = batch.drawn();
-        batch.rows.resize(drawn + 1, [0.0; LANES]);
-        let mut sums = [0.0; LANES];
-        for row in batch.rows.iter_mut() {
-            add_exponentials(batch.stream, &mut sums);
-            *row = sums;
-        }
-        let volumes = sums.map(|total| place.volume / total);
+        let mut batch = self.0;
+        let mut again = *batch.stream;
+        let totals = batch.partial_sums();
+        let volumes = Row(totals.0.map(|total| place.volume / total));
+        let (mut sums, mut passed) = (Row::all(0.0), 0);
         for (index, &k) in batch.asked.iter().enumerate() {
             let l = k - batch.block.inner;
-            let Some(mut row) = batch.rows.get(l as usize - 1).copied() else {
-                return;
+            let row = match batch.rows.get(l as usize - 1) {
+                Some(row) => place.store(&volumes, row),
+                None => {
+                    while passed < l {
+                        add_exponentials(&mut again, &mut sums);
+                        passed += 1;
+                    }
+                    place.store(&volumes, &sums)
+                }
             };
-            scale(&mut row, &volumes);
-            place.store(&mut row);
             batch.visitor.photon(index, &place, l as f64, &row);
         }
     }
 }
 
-/// Each number times a factor.
-#[inline(always)]
-fn scale(row: &mut Row, factors: &Row) {
-    for (number, factor) in row.iter_mut().zip(factors) {
-        *number *= factor;
+impl<V: Visitor> Batch<'_, V> {
+    /// Fills the rows with partial sums of exponentials, if there are not too many; returns the totals.
+    #[inline(always)]
+    fn partial_sums(&mut self) -> Row {
+        let count = self.drawn() + 1;
+        let mut sums = Row::all(0.0);
+        if count > NEAR {
+            self.rows.clear();
+            for _ in 0..count {
+                add_exponentials(self.stream, &mut sums);
+            }
+            return sums;
+        }
+        self.rows.resize(count as usize, sums);
+        for row in self.rows.iter_mut() {
+            add_exponentials(self.stream, &mut sums);
+            *row = sums;
+        }
+        sums
     }
 }
 
@@ -122,8 +146,8 @@ fn scale(row: &mut Row, factors: &Row) {
 #[inline(always)]
 fn add_exponentials(stream: &mut Stream, sums: &mut Row) {
     let row = stream.uniforms();
-    for (sum, u) in sums.iter_mut().zip(&row) {
-        *sum += minus_ln(*u);
+    for lane in 0..LANES {
+        sums.0[lane] += minus_ln(row.0[lane]);
     }
 }
 
@@ -138,10 +162,9 @@ impl<V: Visitor> Batch<'_, V> {
         }
         // The lost photon's place is the edge.
         self.rows
-            .resize(drawn.max(self.block.count as usize), [1.0; LANES]);
+            .resize(drawn.max(self.block.count) as usize, Row::all(1.0));
         for row in self.rows.iter_mut() {
-            scale(row, &[place.volume; LANES]);
-            place.store(row);
+            *row = place.store(&Row::all(place.volume), row);
         }
         sort(self.rows, self.scene.fault);
         for (index, &k) in self.asked.iter().enumerate() {
@@ -158,15 +181,15 @@ impl<V: Visitor> Batch<'_, V> {
         let drawn = self.drawn();
         let mut random = Single::new(self.stream);
         for (index, &k) in self.asked.iter().enumerate() {
-            let l = (k - self.block.inner) as usize;
-            let mut row = [place.volume; LANES];
+            let l = k - self.block.inner;
             // A lost photon's place is the edge.
+            let mut row = Row::all(1.0);
             if l <= drawn {
-                for number in &mut row {
-                    *number *= beta(&mut random, l as f64, (drawn - l + 1) as f64);
-                }
+                row = Row(row
+                    .0
+                    .map(|_| beta(&mut random, l as f64, (drawn - l + 1) as f64)));
             }
-            place.store(&mut row);
+            let row = place.store(&Row::all(place.volume), &row);
             self.visitor.photon(index, &place, l as f64, &row);
         }
     }
@@ -180,14 +203,14 @@ fn sort(rows: &mut [Row], fault: Option<Fault>) {
     let mut run = vec![0.0; rows.len()];
     for lane in 0..LANES {
         for (number, row) in run.iter_mut().zip(rows.iter()) {
-            *number = row[lane];
+            *number = row.0[lane];
         }
         run.sort_unstable_by(f64::total_cmp);
         if fault == Some(Fault::Descending) {
             run.reverse();
         }
         for (number, row) in run.iter().zip(rows.iter_mut()) {
-            row[lane] = *number;
+            row.0[lane] = *number;
         }
     }
 }

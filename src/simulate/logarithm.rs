@@ -7,20 +7,18 @@
 //! ```
 //!
 //! and P is taken as the polynomial of degree 6 that agrees with it at seven Chebyshev points of the interval; it is
-//! off by less than 2^-52, which is 2^-57 of the result. ln 2 is a sum of two doubles; the first has 21
-//! zeros at its end, so that its product with e is exact.
+//! off by less than 2^-52, which is 2^-57 of the result.
 //!
-//! **Theorem.** For every normal u > 0 the result is within `4 * 2^-53` of -ln u, relatively. Proof. 1-f is exact
-//! (Sterbenz), 1+f and the quotient are rounded, doubling is exact: y = 2s has two units of 2^-53. The term
-//! `y z P` is below 0.0101 y, and its rounding is below 0.0101 * 9 < 0.1 units of y. e = 0: the sum adds one
-//! unit, 3.2 in all. Else the result is at least ln 2 - |y| >= |y|, as |y| <= (ln 2)/2; so y and its term
-//! contribute 2.1 units at most, and the three sums 1 + 0.02 + 0.5 (the first one, `-e hi + y`, is below 2^n
-//! wherever the result is, up to 1 in a hundred). QED. `tests` measure it: 2.4 units.
+//! **Theorem.** For every normal u > 0 the result is within `5 * 2^-53` of -ln u, relatively. Proof, in units of
+//! 2^-53. 1-f is exact (Sterbenz), 1+f and the quotient are rounded, doubling is exact: y = 2s has 2 units. `y z P` is
+//! below 0.0102 y and has less than 12 units: 0.13 units of y. e = 0: the last sum adds one, 3.2 in all. Else |y| <= 0.347
+//! and the result R is at least `|e| ln 2 - 0.347 >= 0.346`. The double for ln 2 has 0.3 units, the product with e one more
+//! unless |e| is 1, 2 or another power of 2, and both sums one each. |e| = 1: `(0.3 * 0.694 + 2.13 * 0.347)/0.346 + 2 <
+//! 4.8`; |e| = 2: `(0.3 * 1.387 + 0.74)/1.039 + 2 < 3.2`; |e| >= 3: `(1.3 * 0.694 |e| + 0.74)/(0.693 |e| - 0.347) +
+//! 2 < 4.1`. What the first sum is larger than R by (one in a hundred), and products of errors, stay below the rest. QED.
+//! The tests measure 2.8.
 
-/// `ln 2` but for its last bits.
-const HIGH: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
-/// The rest of it.
-const LOW: f64 = f64::from_bits(0x3dea_39ef_3579_3c76);
+use std::f64::consts::LN_2;
 
 /// The bits of `sqrt(1/2)`, rounded to nearest.
 const ROOT: u64 = 0x3fe6_a09e_667f_3bcd;
@@ -43,9 +41,18 @@ pub(super) fn minus_ln(u: f64) -> f64 {
     let (exponent, f) = split(u);
     let s = (1.0 - f) / (1.0 + f);
     let z = s * s;
-    let p = P.iter().fold(0.0, |sum, coefficient| sum * z + coefficient);
     let y = s + s;
-    (y - exponent * HIGH) + (y * (z * p) - exponent * LOW)
+    (y - exponent * LN_2) + y * (z * polynomial(z))
+}
+
+/// P, by pairs (Gerald Estrin, 1960): fewer operations wait for one another than by Horner's rule.
+#[inline(always)]
+fn polynomial(z: f64) -> f64 {
+    let [p6, p5, p4, p3, p2, p1, p0] = P;
+    let z2 = z * z;
+    let low = (p0 + p1 * z) + (p2 + p3 * z) * z2;
+    let high = (p4 + p5 * z) + p6 * z2;
+    low + high * (z2 * z2)
 }
 
 /// e and f.
@@ -124,8 +131,6 @@ mod tests {
             let taken = P.into_iter().fold(float(0), |sum, c| sum * &z + c);
             assert!((taken - p(&z)).abs() < 2f64.powi(-52));
         }
-        assert_eq!(HIGH.to_bits().trailing_zeros(), 21);
-        assert_eq!((float(Constant::Log2) - HIGH).to_f64(), LOW);
     }
 
     /// Errors in units of 2^-53 of the result: the largest.
@@ -146,7 +151,7 @@ mod tests {
             photon: 0,
         }
         .stream();
-        let random: Vec<f64> = (0..2000).flat_map(|_| stream.uniforms()).collect();
+        let random: Vec<f64> = (0..200).flat_map(|_| stream.uniforms().0).collect();
         let odd = |j: u64| (2 * j + 1) as f64 * 2f64.powi(-53);
         let least = (0..2000).map(odd);
         let greatest = (1..2000).map(|j| odd((1 << 52) - j));
@@ -165,7 +170,7 @@ mod tests {
             worst(powers),
             worst(above),
         ];
-        assert!(all.iter().all(|error| *error < 4.0), "{all:?}");
+        assert!(all.iter().all(|error| *error < 5.0), "{all:?}");
     }
 
     struct Logarithms(Row);
@@ -175,7 +180,7 @@ mod tests {
 
         #[inline(always)]
         fn run(self) -> Self::Output {
-            self.0.map(|u| minus_ln(u).to_bits())
+            self.0.0.map(|u| minus_ln(u).to_bits())
         }
     }
 

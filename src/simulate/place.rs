@@ -1,7 +1,7 @@
 //! From places inside a shell to volumes and to the estimator.
 
 use super::scene::{Fault, Scene};
-use super::stream::Row;
+use super::stream::{LANES, Row};
 
 /// A shell as the estimator sees it.
 ///
@@ -45,27 +45,32 @@ impl Place {
         }
     }
 
-    /// Takes volumes past the inner edge to what is stored.
+    /// What is stored of photons at `share` of these volumes past the inner edge.
     #[inline(always)]
-    pub(super) fn store(&self, row: &mut Row) {
-        if let Some(d) = self.dimension {
-            for past in row {
-                *past = radius(self.inner + *past, d);
-            }
+    pub(super) fn store(&self, volumes: &Row, share: &Row) -> Row {
+        let mut row = Row::all(0.0);
+        for lane in 0..LANES {
+            row.0[lane] = volumes.0[lane] * share.0[lane];
+        }
+        match self.dimension {
+            None => row,
+            Some(d) => self.radii(row, d),
         }
     }
 
+    /// The radii of photons at these volumes past the inner edge.
+    #[inline(never)]
+    fn radii(&self, past: Row, d: u32) -> Row {
+        Row(past.0.map(|past| radius(self.inner + past, d)))
+    }
+
     /// U of photons.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn volumes(&self, stored: &Row) -> Row {
-        let mut volumes = *stored;
-        for volume in &mut volumes {
-            *volume = match self.dimension {
-                None => self.inner + *volume,
-                Some(d) => power(*volume, d),
-            };
-        }
-        volumes
+        Row(stored.0.map(|stored| match self.dimension {
+            None => self.inner + stored,
+            Some(d) => power(stored, d),
+        }))
     }
 
     /// `k/U - 1 = (k - U)/U` of the l-th photon.
@@ -74,21 +79,21 @@ impl Place {
     #[inline(always)]
     pub(super) fn deviations(&self, l: f64, stored: &Row) -> Row {
         let past = l + self.shift;
-        let mut deviations = *stored;
-        match self.dimension {
-            None => {
-                for d in &mut deviations {
-                    *d = (past - *d) / (self.inner + *d);
-                }
-            }
-            Some(dimension) => {
-                for d in &mut deviations {
-                    let volume = power(*d, dimension);
-                    *d = ((self.inner + past) - volume) / volume;
-                }
-            }
+        if self.dimension.is_some() {
+            return self.from_radii(past, stored);
         }
-        deviations
+        let inner = self.inner;
+        let mut row = Row::all(0.0);
+        for lane in 0..LANES {
+            row.0[lane] = (past - stored.0[lane]) / (inner + stored.0[lane]);
+        }
+        row
+    }
+
+    #[inline(never)]
+    fn from_radii(&self, past: f64, radii: &Row) -> Row {
+        let k = self.inner + past;
+        Row(self.volumes(radii).0.map(|volume| (k - volume) / volume))
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is simulated.
 
 use crate::model::Layout;
+use serde::{Deserialize, Serialize};
 
 /// A scene, and how it is drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +26,7 @@ pub struct Scene {
 }
 
 /// Ways to draw the places of the photons of a shell: all have the same law of each photon.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
     /// One uniform number where a shell holds one photon, `Beta` where few photons are asked for of a large shell,
     /// else `Spacings`.
@@ -42,7 +43,7 @@ pub enum Mode {
 }
 
 /// Faults such as programs have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Fault {
     /// The estimator is (k-1)/U.
     Estimator,

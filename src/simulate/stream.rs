@@ -17,8 +17,17 @@
 /// that one step's waiting is filled with other lanes' work.
 pub(super) const LANES: usize = 32;
 
-/// A number for each of these runs.
-pub(super) type Row = [f64; LANES];
+/// A number for each of these runs; aligned, so that no vector lies across two lines of the cache.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(super) struct Row(pub(super) [f64; LANES]);
+
+impl Row {
+    #[inline(always)]
+    pub(super) fn all(number: f64) -> Row {
+        Row([number; LANES])
+    }
+}
 
 /// Which stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +41,7 @@ pub(super) struct Key {
 
 /// A generator for each lane: the four words of their states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(64))]
 pub(super) struct Stream {
     words: [[u64; LANES]; 4],
 }
@@ -72,10 +82,10 @@ impl Stream {
     #[inline(always)]
     pub(super) fn uniforms(&mut self) -> Row {
         let [a, b, c, d] = &mut self.words;
-        let mut row = [0.0; LANES];
+        let mut row = Row::all(0.0);
         for lane in 0..LANES {
             let sum = a[lane].wrapping_add(d[lane]);
-            row[lane] = uniform(sum.rotate_left(23).wrapping_add(a[lane]));
+            row.0[lane] = uniform(sum.rotate_left(23).wrapping_add(a[lane]));
             let shifted = b[lane] << 17;
             c[lane] ^= a[lane];
             d[lane] ^= b[lane];
@@ -102,7 +112,7 @@ pub(super) struct Single<'a> {
 
 impl<'a> Single<'a> {
     pub(super) fn new(stream: &'a mut Stream) -> Single<'a> {
-        let numbers = stream.uniforms().into_iter();
+        let numbers = stream.uniforms().0.into_iter();
         Single { stream, numbers }
     }
 
@@ -112,7 +122,7 @@ impl<'a> Single<'a> {
             if let Some(number) = self.numbers.next() {
                 return number;
             }
-            self.numbers = self.stream.uniforms().into_iter();
+            self.numbers = self.stream.uniforms().0.into_iter();
         }
     }
 }
@@ -143,7 +153,7 @@ mod tests {
             let expected = lanes
                 .iter_mut()
                 .map(|lane| (2 * (lane.next_u64() >> 12) + 1) as f64);
-            let drawn = stream.uniforms().map(|x| x * 2f64.powi(53));
+            let drawn = stream.uniforms().0.map(|x| x * 2f64.powi(53));
             assert_eq!(drawn.to_vec(), expected.collect::<Vec<f64>>());
         }
     }
@@ -165,7 +175,7 @@ mod tests {
         let (mut stream, mut same) = (KEY.stream(), KEY.stream());
         let mut single = Single::new(&mut stream);
         for _ in 0..10 {
-            for x in same.uniforms() {
+            for x in same.uniforms().0 {
                 assert_eq!(single.uniform(), x);
             }
         }

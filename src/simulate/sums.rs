@@ -83,6 +83,12 @@ impl Sums {
         if self.photons != other.photons {
             return Err(OtherPhotons);
         }
+        self.add(other);
+        Ok(())
+    }
+
+    /// Takes in further runs of the same photons, as is known.
+    pub(super) fn add(&mut self, other: &Sums) {
         self.runs += other.runs;
         for (sum, more) in self.deviation.iter_mut().zip(&other.deviation) {
             *sum += more;
@@ -90,7 +96,6 @@ impl Sums {
         for (sum, more) in self.square.iter_mut().zip(&other.square) {
             *sum += more;
         }
-        Ok(())
     }
 }
 

@@ -40,9 +40,9 @@ impl Visitor for Adder {
         };
         let mut row = place.deviations(l, stored);
         if self.live < LANES {
-            row[self.live..].fill(0.0);
+            row.0[self.live..].fill(0.0);
         }
-        let (groups, _) = row.as_chunks::<WIDTH>();
+        let (groups, _) = row.0.as_chunks::<WIDTH>();
         for group in groups {
             let d = Wide(*group);
             *sum = *sum + d;
@@ -77,7 +77,7 @@ impl Visitor for Sampler {
     fn photon(&mut self, index: usize, place: &Place, _: f64, stored: &Row) {
         if index == self.index {
             let volumes = place.volumes(stored);
-            self.volumes.extend(volumes.iter().take(self.live));
+            self.volumes.extend(volumes.0.iter().take(self.live));
         }
     }
 }
