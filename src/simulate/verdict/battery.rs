@@ -161,7 +161,6 @@ fn tests(theory: &[Expected], sums: &Sums, level: f64) -> Vec<Finding> {
     let test = |expected: &Expected, deviation: f64, square: f64| {
         let test = Test {
             expected,
-            law: Law::new(expected.photon),
             runs: sums.runs,
             share,
         };
@@ -182,7 +181,6 @@ fn tests(theory: &[Expected], sums: &Sums, level: f64) -> Vec<Finding> {
 /// The tests of one photon.
 struct Test<'a> {
     expected: &'a Expected,
-    law: Law,
     runs: u64,
     /// The p-value that contradicts.
     share: f64,
@@ -192,7 +190,7 @@ impl Test<'_> {
     fn find(&self, statistic: Statistic, sum: f64) -> Finding {
         let mean = sum / self.runs as f64;
         let expected = self.expected.mean(statistic);
-        let error = self.expected.scatter(statistic, &self.law) / (self.runs as f64).sqrt();
+        let error = self.expected.scatter(statistic) / (self.runs as f64).sqrt();
         let z = Some((mean - expected) / error).filter(|_| error.is_finite());
         Finding {
             k: self.expected.photon.number(),
@@ -202,9 +200,14 @@ impl Test<'_> {
             z,
             p: match z.is_some_and(|z| self.is_harmless(z)) {
                 true => 1.0,
-                false => two_sided(&self.law, statistic, self.runs, mean, RARE * self.share),
+                false => self.p(statistic, mean),
             },
         }
+    }
+
+    fn p(&self, statistic: Statistic, mean: f64) -> f64 {
+        let law = Law::new(self.expected.photon);
+        two_sided(&law, statistic, self.runs, mean, RARE * self.share)
     }
 
     /// Whether z is less than half of what contradicts by the normal law's own bound, `2 exp(-z^2/2)`. Then p
