@@ -32,7 +32,7 @@ pub enum Verdict {
 }
 
 /// One mean beside its theory.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Finding {
     /// Whose.
     pub k: u64,
@@ -40,8 +40,8 @@ pub struct Finding {
     pub statistic: Statistic,
     /// The sample mean.
     pub mean: f64,
-    /// The mean in theory.
-    pub expected: f64,
+    /// The mean in theory, where it is finite.
+    pub expected: Option<f64>,
     /// The difference in standard errors (those of theory); none where they are infinite. An effect size: it
     /// does not decide.
     pub z: Option<f64>,
@@ -50,7 +50,7 @@ pub struct Finding {
 }
 
 /// What the battery says.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The conclusion.
     pub verdict: Verdict,
@@ -75,7 +75,7 @@ pub struct Report {
 /// The sum of the squares of independent z of d: of one photon a shell, the first asked for whose variance is
 /// finite. By the central limit theorem about a chi-square with as many degrees of freedom: an approximation,
 /// for the eye.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ChiSquare {
     /// The degrees of freedom.
     pub shells: u64,
@@ -196,7 +196,7 @@ impl Test<'_> {
             k: self.expected.photon.number(),
             statistic,
             mean,
-            expected,
+            expected: Some(expected).filter(|mean| mean.is_finite()),
             z,
             p: match z.is_some_and(|z| self.is_harmless(z)) {
                 true => 1.0,

@@ -24,7 +24,7 @@ const OUTSIDE: f64 = 1e-30;
 const STEPS: f64 = 8.0;
 
 /// The same where only moments are asked for, to some digits.
-const FEW_STEPS: f64 = 2.0;
+const FEW_STEPS: f64 = 3.0;
 
 /// What cumulants are raised by, for one and for each unit of the largest exponent. In tests their errors are
 /// below a tenth of it.
