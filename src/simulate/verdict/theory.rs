@@ -23,6 +23,9 @@ const OUTSIDE: f64 = 1e-30;
 /// Steps of the quadrature in a width of the density.
 const STEPS: f64 = 8.0;
 
+/// The same where only moments are asked for, to some digits.
+const FEW_STEPS: f64 = 3.0;
+
 /// What cumulants are raised by, for one and for each unit of the largest exponent. In tests their errors are
 /// below a tenth of it.
 const SLACK: f64 = 1e-12;
@@ -121,11 +124,11 @@ impl Expected {
         }
     }
 
-    /// The standard deviation of a statistic in one run; `+inf` where it is infinite.
-    pub fn scatter(&self, statistic: Statistic, law: &Law) -> f64 {
+    /// The standard deviation of a statistic in one run, to 6 digits at least; `+inf` where it is infinite.
+    pub fn scatter(&self, statistic: Statistic) -> f64 {
         match statistic {
             Statistic::Deviation => self.variance.sqrt(),
-            Statistic::Square => law.square_variance().sqrt(),
+            Statistic::Square => Law::rough(self.photon).square_variance().sqrt(),
         }
     }
 }
@@ -299,8 +302,9 @@ impl Density {
         [l / inner, (l - size) / (inner + size)]
     }
 
-    fn step(&self) -> f64 {
-        1.0 / (STEPS * (self.a * self.q).sqrt())
+    /// `w = 1/sqrt((m+1) p (1-p))`
+    fn width(&self) -> f64 {
+        1.0 / (self.a * self.q).sqrt()
     }
 
     /// Places from the peak outwards, until so little is left outside that not even d^4, where its mean is
@@ -324,10 +328,19 @@ impl Density {
 }
 
 impl Law {
-    /// By one quadrature; some microseconds.
+    /// By one quadrature; 20 to 100 microseconds.
     pub fn new(photon: Photon) -> Law {
+        Law::in_steps(photon, STEPS)
+    }
+
+    /// Fewer nodes, for moments alone.
+    pub(super) fn rough(photon: Photon) -> Law {
+        Law::in_steps(photon, FEW_STEPS)
+    }
+
+    fn in_steps(photon: Photon, steps: f64) -> Law {
         let density = Density::new(photon);
-        let step = density.step();
+        let step = density.width() / steps;
         let mut places = density.outwards(-step);
         places.reverse();
         places.push(density.at(0.0));

@@ -36,7 +36,7 @@ fn many_runs_have_the_bound_of_the_normal_law() {
         let law = super::super::Law::new(photon.photon);
         for statistic in [Statistic::Deviation, Statistic::Square] {
             for z in [-8.0, -3.0, 3.0, 8.0] {
-                let error = photon.scatter(statistic, &law) / (runs as f64).sqrt();
+                let error = photon.scatter(statistic) / (runs as f64).sqrt();
                 let mean = photon.mean(statistic) + z * error;
                 let p = two_sided(&law, statistic, runs, mean, 1e-18);
                 let normal = 2.0 * (-z * z / 2.0f64).exp();

@@ -129,15 +129,16 @@ fn law(inner: u64, size: u64, position: u64) -> Law {
     Law::new(Photon::new(inner, size, position).expect("a photon"))
 }
 
-/// The least c with `P(Bin(n, p) > c) <= rare`: more false alarms than this do not happen at the rate p.
+/// The least c with `P(Bin(n, p) > c) <= rare`: more false alarms than this do not happen at the rate p. (In
+/// logarithms: the first terms are too small for doubles.)
 fn most_alarms(n: u64, p: f64, rare: f64) -> u64 {
-    let odds = p / (1.0 - p);
-    let mut term = (n as f64 * (-p).ln_1p()).exp();
-    let mut above = 1.0 - term;
+    let odds = (p / (1.0 - p)).ln();
+    let mut term = n as f64 * (-p).ln_1p();
+    let mut above = 1.0 - term.exp();
     let mut count = 0;
     while above > rare {
-        term *= (n - count) as f64 / (count + 1) as f64 * odds;
-        above -= term;
+        term += ((n - count) as f64 / (count + 1) as f64).ln() + odds;
+        above -= term.exp();
         count += 1;
     }
     count

@@ -129,4 +129,7 @@ fn the_binomial_bound() {
     assert_eq!(most_alarms(10, 0.5, 0.001), 9);
     assert_eq!(most_alarms(10, 0.5, 0.0107), 9);
     assert_eq!(most_alarms(10, 0.5, 0.0108), 8);
+    // Six standard deviations of 40 above 2000.
+    let many = most_alarms(10_000, 0.2, 1e-9);
+    assert!((2235..2250).contains(&many), "{many}");
 }

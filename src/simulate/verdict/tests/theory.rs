@@ -1,4 +1,4 @@
-use super::super::{Error, Law, Photon, Statistic, expected};
+use super::super::{Error, Expected, Law, Photon, Statistic, expected};
 use super::law;
 use crate::model::Layout;
 use rug::float::Constant;
@@ -67,6 +67,30 @@ fn moments_are_those_of_certified_doubles() {
     let thick = [1, 2, 3, 1000, 500_000, 999_999, 1_000_000];
     assert!(worst(&Layout::Sequence(vec![1, 1_000_000]), &thick) < 1e-10);
     assert!(worst(&Layout::Unstratified(1_000_000.into()), &thick) < 1e-10);
+}
+
+#[test]
+fn scatter_is_that_of_the_fine_law() {
+    for (inner, size, l) in PLACES {
+        let photon = Photon::new(*inner, *size, *l).expect("a photon");
+        let photon = Expected {
+            photon,
+            excess: 0.0,
+            variance: 0.0,
+        };
+        let law = law(*inner, *size, *l);
+        let square = law.moment(2);
+        let truth = match law.moment(4).is_finite() {
+            true => law.mean_of(|d| (d * d - square).powi(2)).sqrt(),
+            false => f64::INFINITY,
+        };
+        let found = photon.scatter(Statistic::Square);
+        let close = (found / truth - 1.0).abs() < 1e-6;
+        assert!(
+            found == truth || close,
+            "{inner} {size} {l}: {found} {truth}"
+        );
+    }
 }
 
 /// E d^power around Va = 0 from `E x^-p = m (m-1) ... (m-p+1)/((l-1) ... (l-p))`, exactly.
