@@ -65,6 +65,17 @@ pub(super) fn internal(message: &str) -> Failure {
     }
 }
 
+/// Writes a file that an option names.
+#[cfg(feature = "engine")]
+pub(super) fn write_file(path: &std::path::Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|error| {
+        Failure::input(
+            &format!("{} cannot be written: {error}", path.display()),
+            None,
+        )
+    })
+}
+
 /// Prints a report on stdout. A reader who has seen enough (`| head`) is no error.
 pub(super) fn to_stdout(text: &str) -> Result<(), Failure> {
     let mut stream = anstream::stdout().lock();

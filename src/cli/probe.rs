@@ -1,13 +1,13 @@
 //! `claimcheck probe`: certified sweeps over k.
 
-use super::output::{Exit, Failure, internal, to_stdout};
+use super::output::{Exit, Failure, internal, to_stdout, write_file};
 use super::progress::Bar;
 use crate::probe::{Error, Journal, JournalError, NotAsked, Probe as Sweep, Question, Tally};
 use crate::report;
 use crate::report::diagnostic;
 use clap::{Args, ValueEnum};
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
 
 /// Sweeps over all photons of a range: extremes of a quantity, and whether a claim holds for each
@@ -141,17 +141,17 @@ impl Probe {
             return Ok(Exit::AsExpected);
         }
         if let Some(path) = &self.csv {
-            write(path, &report::probe::csv(&sweep, &summary))?;
+            write_file(path, &report::probe::csv(&sweep, &summary))?;
         }
         if let Some(path) = &self.shells {
             if !sweep.question().shells {
                 let hint = Some("give --shells to each shard as well");
                 return Err(Failure::input("the journals do not tell of shells", hint));
             }
-            write(path, &report::probe::shells(&sweep, &summary))?;
+            write_file(path, &report::probe::shells(&sweep, &summary))?;
         }
         if let Some(path) = &self.svg {
-            write(path, &report::probe::picture(&sweep, &summary))?;
+            write_file(path, &report::probe::picture(&sweep, &summary))?;
         }
         to_stdout(&match self.format {
             Format::Human => report::probe::human(&sweep, &summary),
@@ -213,15 +213,6 @@ impl Probe {
             Err(_) => Err(internal("a thread failed")),
         }
     }
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| {
-        Failure::input(
-            &format!("{} cannot be written: {error}", path.display()),
-            None,
-        )
-    })
 }
 
 fn unusable(error: JournalError) -> Failure {

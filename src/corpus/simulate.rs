@@ -12,7 +12,7 @@ use std::collections::HashMap;
 pub const LEVEL: f64 = 1e-6;
 
 /// Runs of each simulation.
-pub const RUNS: u64 = 10_000;
+pub const RUNS: u64 = 50_000;
 
 /// What a simulation contradicts.
 #[derive(Clone, Debug, PartialEq)]

@@ -70,13 +70,19 @@ pub fn simulate(
     };
     for (number, left, relation, right) in numbered_relations(&statement) {
         let mut counted = 0;
-        for point in &chosen {
+        for (index, point) in (0..).zip(&chosen) {
             let context = Context {
                 point,
                 draws: &proposition.draws,
                 budget: &Budget::new(STEPS),
             };
-            match simulate_relation(left, right, &context, runs, settings.seed) {
+            match simulate_relation(
+                left,
+                right,
+                &context,
+                runs,
+                settings.seed.wrapping_add(index),
+            ) {
                 Ok(simulated) => {
                     counted += usize::from(simulated.z.counts);
                     trials.done.push(Trial {

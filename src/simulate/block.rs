@@ -22,6 +22,16 @@ pub(super) struct Block {
     pub(super) asked: Range<usize>,
 }
 
+impl Block {
+    /// How many photons are drawn in a run.
+    pub(super) fn drawn(&self) -> u64 {
+        match self.way {
+            Way::Singles | Way::Beta => self.asked.len() as u64,
+            Way::Sorted | Way::Spacings => self.count,
+        }
+    }
+}
+
 /// How a block is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Way {

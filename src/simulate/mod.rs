@@ -37,8 +37,8 @@ mod sums;
 pub mod verdict;
 mod visit;
 
-pub use claim::{Simulated, simulate_relation};
 pub use checkpoint::{Checkpoint, CheckpointError};
+pub use claim::{Simulated, simulate_relation};
 pub use scene::{Fault, Mode, Scene, SceneError};
 pub use sums::{OtherPhotons, Sums};
 
@@ -104,6 +104,11 @@ impl Simulation {
     /// The photons that are asked for, ascending.
     pub fn photons(&self) -> &[u64] {
         &self.photons
+    }
+
+    /// How many photons are drawn in a run: of the shells that hold those asked for, all that their way of drawing needs.
+    pub fn drawn_a_run(&self) -> u64 {
+        self.blocks.iter().map(Block::drawn).sum()
     }
 
     /// Sums of no runs.

@@ -87,6 +87,24 @@ impl Sums {
         Ok(())
     }
 
+    /// What was taken in since there were fewer runs of the same photons.
+    ///
+    /// # Errors
+    /// [`OtherPhotons`]
+    pub fn since(&self, before: &Sums) -> Result<Sums, OtherPhotons> {
+        if self.photons != before.photons {
+            return Err(OtherPhotons);
+        }
+        let less =
+            |all: &[f64], before: &[f64]| all.iter().zip(before).map(|(a, b)| a - b).collect();
+        Ok(Sums {
+            runs: self.runs.saturating_sub(before.runs),
+            photons: self.photons.clone(),
+            deviation: less(&self.deviation, &before.deviation),
+            square: less(&self.square, &before.square),
+        })
+    }
+
     /// Takes in further runs of the same photons, as is known.
     pub(super) fn add(&mut self, other: &Sums) {
         self.runs += other.runs;

@@ -1,11 +1,18 @@
 //! `claimcheck simulate`: f64 Monte-Carlo against theory.
 
 mod claim;
+mod scene;
 
 use super::library::Library;
 use super::output::{Exit, Failure};
 use crate::simulate::verdict::battery::LEVEL;
 use clap::{Args, ValueEnum};
+
+/// Runs of photons: those of the thesis.
+const RUNS: u64 = 10_000;
+
+/// Runs of a claim at each point: variances need many before their z counts.
+const CLAIM_RUNS: u64 = 100_000;
 
 /// Simulates the photons of a layout, or a claim from its own draws, and compares with theory
 #[derive(Debug, Args)]
@@ -17,18 +24,25 @@ pub(super) struct Simulate {
     /// The point at which a claim is simulated: k=5,n=20 [default: some of its domain]
     #[arg(long, value_name = "NAME=VALUE,...", requires = "id")]
     set: Vec<String>,
-    /// How often all is drawn [default: 10000]
-    #[arg(long, value_name = "N", default_value_t = 10_000, hide_default_value = true,
-        value_parser = clap::value_parser!(u64).range(2..))]
-    runs: u64,
+    #[command(flatten)]
+    photons: scene::Photons,
+    /// How often all is drawn [default: 10000, of a claim 100000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    runs: Option<u64>,
     /// Seed of all draws
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     /// How likely a false alarm may be, in the whole
     #[arg(long, value_name = "P", default_value_t = LEVEL)]
     level: f64,
+    /// Threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+    /// No progress bar
+    #[arg(long, short)]
+    quiet: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -51,12 +65,19 @@ impl Simulate {
                 id,
                 library: &self.library,
                 set: &self.set,
-                runs: self.runs,
+                runs: self.runs.unwrap_or(CLAIM_RUNS),
                 seed: self.seed,
                 level: self.level,
             }
             .run(json),
-            None => Err(Failure::input("no claim", None)),
+            None => self.photons.run(&scene::Running {
+                runs: self.runs.unwrap_or(RUNS),
+                seed: self.seed,
+                level: self.level,
+                jobs: self.jobs.unwrap_or(0).into(),
+                quiet: self.quiet,
+                json,
+            }),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::super::output::{Exit, Failure, internal, to_stdout, write_file};
 use super::super::progress::Bar;
 use crate::model::Layout;
 use crate::report::simulate::{Outcome, csv, human, json, picture};
-use crate::simulate::verdict::{self, battery::Verdict, kolmogorov, sequential::Watch};
+use crate::simulate::verdict::{self, kolmogorov, sequential::Watch};
 use crate::simulate::{
     Checkpoint, CheckpointError, Fault, Mode, Scene, SceneError, Simulation, Sums,
 };
@@ -26,7 +26,12 @@ pub(super) struct Photons {
     #[arg(long, value_name = "D", conflicts_with = "id")]
     dim: Option<u32>,
     /// The photons that are asked for, and their shells alone: 4,50,1000 [default: all]
-    #[arg(long, value_name = "K,...", value_delimiter = ',', conflicts_with = "id")]
+    #[arg(
+        long,
+        value_name = "K,...",
+        value_delimiter = ',',
+        conflicts_with = "id"
+    )]
     k: Vec<u64>,
     /// How the photons of a shell are drawn
     #[arg(long, value_enum, default_value_t = Draw::Cheapest, conflicts_with = "id")]
@@ -35,7 +40,12 @@ pub(super) struct Photons {
     #[arg(long, value_enum, conflicts_with = "id")]
     fault: Option<Planted>,
     /// Also tests whether U of these photons has its law (Kolmogorov and Smirnov)
-    #[arg(long, value_name = "K,...", value_delimiter = ',', conflicts_with = "id")]
+    #[arg(
+        long,
+        value_name = "K,...",
+        value_delimiter = ',',
+        conflicts_with = "id"
+    )]
     law: Vec<u64>,
     /// Stops as soon as each mean asked for by --k is known to this, or contradicts theory
     #[arg(long, value_name = "WIDTH", requires = "k", conflicts_with = "id")]
@@ -95,10 +105,12 @@ impl Photons {
         let scene = self.scene(running)?;
         let simulation = Simulation::new(scene.clone()).map_err(refused)?;
         let threads = rayon::ThreadPoolBuilder::new().num_threads(running.jobs);
-        let threads = threads.build().map_err(|error| internal(&error.to_string()))?;
+        let threads = threads
+            .build()
+            .map_err(|error| internal(&error.to_string()))?;
         let outcome = threads.install(|| self.outcome(&simulation, running))?;
         if let Some(path) = &self.csv {
-            write_file(path, &csv(&scene, &outcome))?;
+            write_file(path, &csv(&outcome))?;
         }
         if let Some(path) = &self.svg {
             write_file(path, &picture(&scene, &outcome))?;
@@ -107,10 +119,10 @@ impl Photons {
             false => human(&scene, &outcome),
             true => json(&scene, &outcome),
         })?;
-        let agrees = outcome.report.verdict == Verdict::Agrees
-            && outcome.laws.iter().all(|(_, law)| law.p > outcome.share())
-            && outcome.watch.as_ref().is_none_or(|watch| !watch.contradicts());
-        Ok(if agrees { Exit::AsExpected } else { Exit::NotAsExpected })
+        Ok(match outcome.agrees() {
+            true => Exit::AsExpected,
+            false => Exit::NotAsExpected,
+        })
     }
 
     fn outcome(&self, simulation: &Simulation, running: &Running) -> Result<Outcome, Failure> {
@@ -133,7 +145,10 @@ impl Photons {
             let (Some(watch), Some(width)) = (&mut watch, self.until) else {
                 return ControlFlow::Continue(());
             };
-            let fed = watch.feed(&sums.since(&last));
+            let Ok(chunk) = sums.since(&last) else {
+                return ControlFlow::Break(());
+            };
+            let fed = watch.feed(&chunk);
             last.clone_from(sums);
             match fed {
                 Ok(()) if watch.contradicts() || watch.is_precise(width) => ControlFlow::Break(()),
@@ -154,7 +169,7 @@ impl Photons {
         Ok(Outcome {
             report: verdict::battery(&scene.layout, &sums, running.level).map_err(unknown)?,
             findings: findings.map_err(unknown)?,
-            drawn: simulation.photons_a_run() as f64 * (sums.runs - before) as f64,
+            drawn: simulation.drawn_a_run() as f64 * (sums.runs - before) as f64,
             laws: self.laws(simulation, &sums)?,
             sums,
             seconds,
@@ -170,7 +185,10 @@ impl Photons {
         before: u64,
     ) -> Result<Watch, Failure> {
         if !(width > 0.0) {
-            return Err(Failure::input("a width is positive", Some("write --until 1e-4")));
+            return Err(Failure::input(
+                "a width is positive",
+                Some("write --until 1e-4"),
+            ));
         }
         if before > 0 {
             let hint = Some("leave out --journal, or --until");
@@ -246,7 +264,9 @@ impl Photons {
             "2" => (Layout::Triangular, photons),
             "listing" => (Layout::Listing, photons),
             shells => {
-                let counts = shells.split(',').map(|count| count.trim().parse::<u64>().ok());
+                let counts = shells
+                    .split(',')
+                    .map(|count| count.trim().parse::<u64>().ok());
                 let counts: Option<Vec<u64>> = counts.collect();
                 let sum = |counts: &Vec<u64>| {
                     let mut sum = 0u64;
