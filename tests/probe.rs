@@ -432,6 +432,11 @@ fn questions_about_too_many_shells_or_stretches_are_refused() {
         };
         assert!(matches!(refused(question), Some(Error::Sample(_))));
     }
+    let one_each = Question {
+        sample: Some(3),
+        ..whole
+    };
+    assert!(matches!(refused(one_each), Some(Error::NoSample)));
 }
 
 #[test]

@@ -32,16 +32,16 @@ pub(super) struct Probe {
     /// A file that keeps what is done: the same command goes on from there
     #[arg(long, value_name = "FILE")]
     journal: Option<PathBuf>,
-    /// Does the i-th of n parts only
+    /// Does the i-th of n parts only; --merge writes what files are asked for
     #[arg(long, value_name = "I/N", value_parser = shard, requires = "journal")]
     shard: Option<(u64, u64)>,
     /// Joins the journals of shards and prints what they come to
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["layout", "k", "sample", "quantity", "claim", "journal"])]
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["layout", "k", "sample", "quantity", "claim", "journal", "shard"])]
     merge: Vec<PathBuf>,
     /// The table by decades as CSV
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// The same for each shell as CSV
+    /// The same for each shell as CSV; each shard needs the option as well
     #[arg(long, value_name = "FILE")]
     shells: Option<PathBuf>,
     /// A picture of it
@@ -131,6 +131,17 @@ impl Probe {
             ));
         }
         let summary = journal.summary();
+        if summary.photons == 0 && self.shard.is_none() {
+            let hint = Some("ask for a longer range, or for more stretches");
+            return Err(Failure::input(
+                "the sample has no photon of this range",
+                hint,
+            ));
+        }
+        if self.shells.is_some() && !sweep.question().shells {
+            let hint = Some("give --shells to each shard as well");
+            return Err(Failure::input("the journals do not tell of shells", hint));
+        }
         if let Some((part, parts)) = self.shard {
             let done = journal.done().count();
             to_stdout(&format!(
@@ -144,10 +155,6 @@ impl Probe {
             write_file(path, &report::probe::csv(&sweep, &summary))?;
         }
         if let Some(path) = &self.shells {
-            if !sweep.question().shells {
-                let hint = Some("give --shells to each shard as well");
-                return Err(Failure::input("the journals do not tell of shells", hint));
-            }
             write_file(path, &report::probe::shells(&sweep, &summary))?;
         }
         if let Some(path) = &self.svg {
@@ -233,6 +240,8 @@ fn refused(error: Error) -> Failure {
             return Failure::rendered(diagnostic::render(option, text, diagnostic));
         }
         Error::Layout(_) => Some("triangular, listing, one, or numbers of photons: 5,7,9"),
+        Error::NoSample => Some("leave out --sample"),
+        Error::NoShells => Some("leave out --shells"),
         Error::Shells(_) => Some("ask for fewer photons, or leave out --shells"),
         Error::NoPhoton(_) => Some("ask for photons that it has: --k A..B"),
         Error::NotAsked(NotAsked::UnknownName(_)) => {

@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 /// The first line.
 #[derive(Debug, Serialize, Deserialize)]
@@ -18,6 +20,10 @@ struct Head {
 
 /// Raised by whoever changes what a chunk is or how one is asked: older journals are of no use then.
 const SCHEME: u32 = 2;
+
+/// How long a locked journal is waited for.
+const LOCK_TRIES: u32 = 20;
+const LOCK_PAUSE: Duration = Duration::from_millis(50);
 
 /// Any other line.
 #[derive(Debug, Serialize, Deserialize)]
@@ -131,8 +137,16 @@ impl Journal {
             .create(true)
             .open(path)
             .map_err(failed)?;
-        // Held until the run ends, however it ends.
-        if file.try_lock().is_err() {
+        // Held until the run ends, however it ends; a run that was just killed may still hold it for a moment.
+        let mut free = file.try_lock().is_ok();
+        for _ in 0..LOCK_TRIES {
+            if free {
+                break;
+            }
+            thread::sleep(LOCK_PAUSE);
+            free = file.try_lock().is_ok();
+        }
+        if !free {
             return Err(JournalError::InUse {
                 path: path.to_owned(),
             });

@@ -101,9 +101,14 @@ pub enum Error {
     /// The sample is too small or too large.
     #[error("of a shell 2 to {MOST_STRETCHES} stretches are taken, not {0}")]
     Sample(u64),
+    /// All shells have one photon.
+    #[error("shells of one photon are asked whole: there is nothing to sample")]
+    NoSample,
     /// Shells of one photon, or too many of them.
-    #[error("{0} shells are too many to be told of one by one, or they have one photon each")]
+    #[error("{0} shells are too many to be told of one by one")]
     Shells(u64),
+    #[error("each shell has one photon: there is nothing to tell of shells")]
+    NoShells,
     /// No such chunk.
     #[error("there is no chunk {0}")]
     NoChunk(u64),
@@ -192,9 +197,15 @@ impl Probe {
         {
             return Err(Error::Sample(stretches));
         }
+        if question.sample.is_some() && layout == Layout::One {
+            return Err(Error::NoSample);
+        }
         if question.shells {
+            if layout == Layout::One {
+                return Err(Error::NoShells);
+            }
             let shells = shells_between(&layout, question.first, question.last);
-            if layout == Layout::One || shells > MOST_SHELLS {
+            if shells > MOST_SHELLS {
                 return Err(Error::Shells(shells));
             }
         }
@@ -510,8 +521,7 @@ fn shells_between(layout: &Layout, first: u64, last: u64) -> u64 {
             count(last).unwrap_or(u64::MAX) - count(first).unwrap_or(0) + 1
         }
         Layout::Sequence(counts) => counts.len() as u64,
-        Layout::One => last - first + 1,
-        Layout::Unstratified(_) => 1,
+        Layout::One | Layout::Unstratified(_) => 1,
     }
 }
 

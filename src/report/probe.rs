@@ -226,8 +226,11 @@ fn table<'a>(
     text
 }
 
-/// No more photons than this are drawn one by one, and no more shells.
+/// No more photons than this are drawn one by one.
 const MOST_DRAWN: u64 = 4096;
+
+/// No more shells than this.
+const MOST_SHELLS: usize = 300;
 
 /// The picture of what was found: the quantity between its extremes, and the margins of the claim's links.
 pub fn picture(probe: &Probe, summary: &Summary) -> String {
@@ -245,7 +248,7 @@ pub fn picture(probe: &Probe, summary: &Summary) -> String {
             "Photons {} to {}, layout {}",
             question.first, question.last, question.layout
         ),
-        notes: vec![drawn.legend().to_owned(), command(question)],
+        notes: vec![drawn.legend(summary), command(question)],
         panels,
     };
     chart.to_svg()
@@ -286,8 +289,11 @@ impl<'a> Drawn<'a> {
         if last - first < MOST_DRAWN && summary.photons == last - first + 1 {
             return Drawn::Photons(probe);
         }
-        if !summary.shells.is_empty() && summary.shells.len() as u64 <= MOST_DRAWN {
-            let shells = summary.shells.iter().map(|(start, stretch)| {
+        if (3..=MOST_SHELLS).contains(&summary.shells.len()) {
+            // A shell that the range cuts would look like news.
+            let whole = |start: u64| start >= first && start + probe.shell_size(start) <= last + 1;
+            let shells = summary.shells.iter().filter(|(start, _)| whole(**start));
+            let shells = shells.map(|(start, stretch)| {
                 let (from, to) = within(*start, start + probe.shell_size(*start));
                 (from, to, stretch)
             });
@@ -303,11 +309,19 @@ impl<'a> Drawn<'a> {
         Drawn::Stretches(probe, bins.collect(), words)
     }
 
-    fn legend(&self) -> &'static str {
-        match self {
-            Drawn::Photons(_) => "Every photon is drawn.",
-            Drawn::Stretches(_, _, words) => words,
+    fn legend(&self, summary: &Summary) -> String {
+        let (probe, mut words) = match self {
+            Drawn::Photons(probe) => (probe, "Every photon is drawn.".to_owned()),
+            Drawn::Stretches(probe, _, words) => (probe, (*words).to_owned()),
+        };
+        if probe.question().sample.is_some() {
+            words.push_str(" Of each shell a sample is asked.");
         }
+        let untold: u64 = summary.bins.values().map(|stretch| stretch.untold).sum();
+        if untold > 0 {
+            let _ = write!(words, " Left out: {}.", photons_without(untold));
+        }
+        words
     }
 
     /// The values at each photon, of the quantity or of a link's difference.
@@ -338,7 +352,7 @@ impl<'a> Drawn<'a> {
         self.panel(quantity, vec![series])
     }
 
-    /// Margins of either sign: those of failures are drawn at the foot.
+    /// Margins of either sign; those that a logarithmic scale cannot show have marks at the foot.
     fn margins(&self) -> Panel {
         let words = match self {
             Drawn::Photons(_) => "margin of",
@@ -368,23 +382,19 @@ impl<'a> Drawn<'a> {
         let foot = positive.fold(f64::INFINITY, f64::min).min(1.0) / 2.0;
         let mut series = vec![];
         for (link, (name, line)) in probe.links().zip(lines).enumerate() {
-            let failures: Vec<[f64; 2]> = line
-                .iter()
-                .filter(|[_, y]| *y <= 0.0)
-                .map(|[x, _]| [*x, foot])
-                .collect();
             series.push(Series {
                 name: format!("{words} {name}"),
                 marks: Marks::Line(line),
                 look: link,
             });
-            if !failures.is_empty() {
-                series.push(Series {
-                    name: "fails, or not told apart".into(),
-                    marks: Marks::Dots(failures),
-                    look: 4,
-                });
-            }
+        }
+        let failures = self.failures(foot);
+        if !failures.is_empty() {
+            series.push(Series {
+                name: "a margin that is not positive".into(),
+                marks: Marks::Dots(failures),
+                look: 4,
+            });
         }
         Panel {
             y: Axis {
@@ -392,6 +402,26 @@ impl<'a> Drawn<'a> {
                 scale: Scale::Log,
             },
             ..self.panel("", series)
+        }
+    }
+
+    /// Where a margin is 0 or negative, a mark at this height in the middle of what is drawn.
+    fn failures(&self, foot: f64) -> Vec<[f64; 2]> {
+        match self {
+            Drawn::Photons(probe) => {
+                let links = 0..probe.links().count();
+                let values = links.flat_map(|link| Self::values(probe, Some(link)));
+                let bad = values.filter(|[_, y]| *y <= 0.0);
+                bad.map(|[k, _]| [k, foot]).collect()
+            }
+            Drawn::Stretches(_, stretches, _) => {
+                let bad = stretches.iter().filter(|(_, _, stretch)| {
+                    let margins = stretch.margins.iter().flatten();
+                    margins.clone().any(|least| least.low <= 0.0)
+                });
+                bad.map(|(from, to, _)| [f64::midpoint(*from, *to), foot])
+                    .collect()
+            }
         }
     }
 

@@ -94,7 +94,10 @@ fn even(from: f64, to: f64) -> Vec<Tick> {
     if !(step.is_finite() && step > 0.0) {
         return vec![];
     }
-    let digits = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    // So many digits after the point tell neighbours apart.
+    let places = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    let largest = from.abs().max(to.abs());
+    let digits = ((largest / step).log10().floor().max(0.0) as usize + 1).min(17);
     let first = (from / step).ceil();
     let count = ((to / step).floor() - first).clamp(0.0, 100.0) as u32;
     (0..=count)
@@ -102,20 +105,22 @@ fn even(from: f64, to: f64) -> Vec<Tick> {
             let value = (first + f64::from(index)) * step;
             Tick {
                 value,
-                label: Label::Plain(plain(value, digits)),
+                label: Label::Plain(plain(value, places, digits)),
             }
         })
         .collect()
 }
 
-/// With so many digits after the point, or as a power of ten where that is shorter.
-fn plain(value: f64, digits: usize) -> String {
+/// With so many digits after the point, or as so many digits and a power of ten where that is shorter.
+fn plain(value: f64, places: usize, digits: usize) -> String {
     if value == 0.0 {
-        "0".to_owned()
-    } else if digits > 5 || value.abs() >= 1e6 {
-        format!("{value:.1e}").replace(".0e", "e")
-    } else {
-        format!("{value:.digits$}")
+        return "0".to_owned();
+    }
+    let whole = format!("{value:.places$}");
+    let power = format!("{value:.*e}", digits - 1);
+    match whole.len() <= 9 || whole.len() <= power.len() {
+        true => whole,
+        false => power,
     }
 }
 

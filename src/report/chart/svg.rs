@@ -11,6 +11,11 @@ const RIGHT: f64 = 22.0;
 /// Of the plot of a panel.
 const HEIGHT: f64 = 300.0;
 const LINE: f64 = 19.0;
+/// Letters of the title.
+const TITLE: usize = 70;
+/// Letters of a name in the legend, and of a label along the upright axis.
+const LEGEND: usize = 84;
+const UPRIGHT: usize = 38;
 /// Of a letter, on average, at the legend's size.
 const LETTER: f64 = 7.4;
 
@@ -42,7 +47,13 @@ impl Plot {
 pub(super) fn draw(chart: &Chart) -> String {
     let mut body = String::new();
     let mut y = 26.0;
-    text(&mut body, LEFT, y, "class=\"title\"", &chart.title);
+    text(
+        &mut body,
+        LEFT,
+        y,
+        "class=\"title\"",
+        &shortened(&chart.title, TITLE),
+    );
     for (number, panel) in chart.panels.iter().enumerate() {
         // Panels over the same thing have the same range.
         let alike = chart.panels.iter().filter(|other| other.x == panel.x);
@@ -112,7 +123,8 @@ fn draw_panel(out: &mut String, panel: &Panel, x: Ruler, number: usize, top: f64
         "text-anchor=\"middle\" transform=\"rotate(-90 18 {y})\"",
         y = top + HEIGHT / 2.0
     );
-    text(out, 18.0, top + HEIGHT / 2.0, &turned, &panel.y.label);
+    let label = shortened(&panel.y.label, UPRIGHT);
+    text(out, 18.0, top + HEIGHT / 2.0, &turned, &label);
     bottom + 46.0
 }
 
@@ -120,7 +132,8 @@ fn draw_panel(out: &mut String, panel: &Panel, x: Ruler, number: usize, top: f64
 fn draw_legend(out: &mut String, series: &[Series], top: f64) -> f64 {
     let (mut x, mut y) = (LEFT, top + LINE);
     for series in series.iter().filter(|series| !series.name.is_empty()) {
-        let width = 44.0 + series.name.chars().count() as f64 * LETTER;
+        let letters = series.name.chars().count().min(LEGEND);
+        let width = 44.0 + letters as f64 * LETTER;
         if x + width > WIDTH && x > LEFT {
             (x, y) = (LEFT, y + LINE);
         }
@@ -142,7 +155,7 @@ fn draw_legend(out: &mut String, series: &[Series], top: f64) -> f64 {
                 );
             }
         }
-        text(out, x + 34.0, y, "", &series.name);
+        text(out, x + 34.0, y, "", &shortened(&series.name, LEGEND));
         x += width;
     }
     y
@@ -194,6 +207,12 @@ fn draw_tick(out: &mut String, tick: &Tick, plot: &Plot, along_x: bool) {
 
 fn draw_series(out: &mut String, series: &Series, plot: &Plot) {
     match &series.marks {
+        // A line of one point would not be seen.
+        Marks::Line(points) if points.len() == 1 => {
+            for (x, y) in points.iter().filter_map(|point| plot.at(*point)) {
+                dot(out, series.look, x, y);
+            }
+        }
         Marks::Line(points) => {
             let mut path = String::new();
             let mut pen = 'M';
@@ -283,6 +302,14 @@ fn broken(words: &str, width: usize) -> Vec<String> {
         }
     }
     lines
+}
+
+/// The words, or as many letters of them as fit.
+fn shortened(words: &str, most: usize) -> String {
+    match words.chars().count() <= most {
+        true => words.to_owned(),
+        false => words.chars().take(most - 1).chain(['\u{2026}']).collect(),
+    }
 }
 
 /// For XML: what it cannot hold is dropped.
