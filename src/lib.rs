@@ -4,8 +4,8 @@
 //!
 //! A file imports only from floors below its own (`tests/floors.rs` sees to it):
 //!
-//! `cli > report > corpus > judge > prover > evaluate > special > model > algebra > number > kernel >
-//! book > formula`
+//! `cli > report > corpus > judge > prover > probe, simulate > evaluate > special > model > algebra > number >
+//! kernel > book > formula`
 //!
 //! [`formula`], [`book`] and [`kernel`] use no C library and are trusted; the kernel imports
 //! `formula` only. Everything above searches, with GMP and MPFR (feature `engine`), and is never
