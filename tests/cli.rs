@@ -643,3 +643,101 @@ fn a_probe_tells_holds_fails_and_bad_questions_apart() {
         assert!(seen.err.contains(told), "{rest:?}: {}", seen.err);
     }
 }
+
+const DRAWN: &str = "\
+```claim drawn-1
+given  int l, m with 1 <= l <= m
+draw   x ~ beta(l, m - l + 1)
+says   mean(x) == l/(m + 1)
+```
+
+```claim drawn-2
+given  int l, m with 1 <= l <= m
+draw   x ~ beta(l, m - l + 1)
+says   mean(x) == l/m
+mend   mean(x) == l/(m + 1)
+expect printed refuted, mended proved
+```
+";
+
+#[test]
+fn claims_are_simulated_from_their_draws() {
+    let folder = book("drawn", DRAWN);
+    let path = folder.to_str().expect("UTF-8");
+    let seen = run(&["simulate", "drawn-1", path, "--runs", "20000"]);
+    assert_eq!(seen.code, Some(0), "{}{}", seen.out, seen.err);
+    assert!(
+        seen.out.contains("agrees") && !seen.out.contains("contradicts\n  "),
+        "{}",
+        seen.out
+    );
+    let point = ["--set", "l=2,m=3"];
+    let seen = run(&[&["simulate", "drawn-2", path], &point[..]].concat());
+    assert_eq!(seen.code, Some(1));
+    assert!(seen.out.contains("contradicts"), "{}", seen.out);
+    for (point, told) in [
+        ("l=2", "`m`"),
+        ("l=3,m=2", "outside"),
+        ("l=1,m=2,q=1", "`q`"),
+    ] {
+        let seen = run(&["simulate", "drawn-1", path, "--set", point]);
+        assert_eq!(seen.code, Some(2));
+        assert!(seen.err.contains(told), "{}", seen.err);
+    }
+    let seen = run(&["check", path, "--simulate", "--format", "json"]);
+    assert_eq!(seen.code, Some(0), "{}", seen.err);
+    let value: serde_json::Value = serde_json::from_str(&seen.out).expect("JSON");
+    assert!(value["claims"][0]["printed"]["simulation"]["z"].is_f64());
+    assert!(value["claims"][1]["printed"]["simulation"].is_null());
+    assert!(value["claims"][1]["mended"]["simulation"]["runs"].is_u64());
+}
+
+#[test]
+fn photons_are_simulated_and_faults_are_found() {
+    let simulate = |rest: &[&str]| {
+        let scene = ["simulate", "--photons", "300", "--runs", "2000", "--quiet"];
+        run(&[&scene[..], rest].concat())
+    };
+    for strategy in ["none", "1", "2", "listing", "100,1,199"] {
+        for rest in [&[][..], &["--dim", "3"], &["--mode", "sorted"]] {
+            let seen = simulate(&[&["--strategy", strategy], rest].concat());
+            assert_eq!(seen.code, Some(0), "{strategy}: {}{}", seen.out, seen.err);
+            assert!(seen.out.contains("simulation and theory agree"));
+        }
+    }
+    let seen = simulate(&["--fault", "estimator"]);
+    assert_eq!(seen.code, Some(1));
+    assert!(seen.out.contains("CONTRADICT") && seen.out.contains("ON PURPOSE"));
+    let seen = simulate(&["--law", "5,150", "--fault", "unsorted"]);
+    assert!(
+        seen.out.contains("law of U at k = 5: CONTRADICTS"),
+        "{}",
+        seen.out
+    );
+    for (rest, told) in [
+        (&["--strategy", "7,x"][..], "is no strategy"),
+        (&["--dim", "0"], "dimension 0"),
+        (&["--k", "301"], "photon 301"),
+        (&["--level", "2"], "between 0 and 1"),
+        (&["--until", "1e-3"], "--k"),
+        (&["--mode", "beta", "--fault", "unsorted"], "Sorted"),
+    ] {
+        let seen = simulate(rest);
+        assert_eq!(seen.code, Some(2), "{rest:?}: {}", seen.out);
+        assert!(seen.err.contains(told), "{rest:?}: {}", seen.err);
+    }
+}
+
+#[test]
+fn a_simulation_is_the_same_bytes_for_any_number_of_threads() {
+    let folder = book("same-bytes", RIGHT);
+    let simulated = |jobs: &str, name: &str| {
+        let csv = folder.join(name);
+        let path = csv.to_str().expect("UTF-8");
+        let scene = ["simulate", "--photons", "5050", "--runs", "5000", "-q"];
+        let seen = run(&[&scene[..], &["--jobs", jobs, "--csv", path]].concat());
+        assert_eq!(seen.code, Some(0), "{}", seen.err);
+        fs::read(csv).expect("written")
+    };
+    assert_eq!(simulated("1", "one.csv"), simulated("2", "two.csv"));
+}

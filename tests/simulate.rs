@@ -21,13 +21,17 @@ fn sums(scene: Scene) -> Sums {
 
 fn verdict(scene: Scene, level: f64) -> Verdict {
     let layout = scene.layout.clone();
-    battery(&layout, &sums(scene), level).expect("theory").verdict
+    battery(&layout, &sums(scene), level)
+        .expect("theory")
+        .verdict
 }
 
 /// How often a thing is done.
 fn count(variable: &str, otherwise: u64) -> u64 {
     let asked = std::env::var(variable).ok();
-    asked.and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+    asked
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(otherwise)
 }
 
 /// What a count of alarms exceeds with a chance of 10^-9 at most, if each has this chance (Hoeffding's inequality in its

@@ -181,7 +181,7 @@ fn sound(report: Report) -> Result<Report, Error> {
     }
 }
 
-pub(super) fn answers(report: &mut Report) -> impl Iterator<Item = &mut Answer> {
+fn answers(report: &mut Report) -> impl Iterator<Item = &mut Answer> {
     std::iter::once(&mut report.printed).chain(&mut report.mended)
 }
 

@@ -2,7 +2,7 @@
 //! positive verdict is a fault of ours.
 
 use super::Error;
-use super::run::{Run, answers, in_parallel};
+use super::run::{Run, in_parallel};
 use crate::book::{Book, Claim};
 use crate::judge::{Answer, Report, Settings, Simulation, Verdict, simulate};
 use crate::simulate::verdict::battery::critical;
@@ -74,25 +74,87 @@ fn positive(answer: &Answer) -> bool {
 }
 
 /// By Bonferroni's inequality over all points that were simulated.
-fn alarms(run: &mut Run) -> Vec<Alarm> {
-    let all: Vec<(String, Verdict, Simulation)> = run
-        .reports
-        .iter_mut()
-        .flat_map(|report| {
-            let id = report.id.clone();
-            let simulated = answers(report)
-                .filter_map(move |a| Some((id.clone(), a.verdict, a.simulation.clone()?)));
-            simulated.collect::<Vec<_>>()
+fn alarms(run: &Run) -> Vec<Alarm> {
+    let simulated = || {
+        run.reports.iter().flat_map(|report| {
+            let answers = std::iter::once(&report.printed).chain(&report.mended);
+            answers.filter_map(|answer| Some((report, answer.verdict, answer.simulation.as_ref()?)))
         })
-        .collect();
-    let tests: usize = all.iter().map(|(_, _, simulation)| simulation.points).sum();
+    };
+    let tests: usize = simulated().map(|(_, _, found)| found.points).sum();
     let least = critical(LEVEL / tests.max(1) as f64);
-    all.into_iter()
-        .filter(|(_, _, simulation)| simulation.excess > least)
-        .map(|(id, verdict, simulation)| Alarm {
-            id,
+    simulated()
+        .filter(|(_, _, found)| found.excess > least)
+        .map(|(report, verdict, found)| Alarm {
+            id: report.id.clone(),
             verdict,
-            simulation,
+            simulation: found.clone(),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::read_text;
+    use crate::corpus::{Options, run};
+
+    const BOOK: &str = "
+```claim order-mean
+given  int l, m with 1 <= l <= m
+draw   x ~ order(l, m) of uniform(0, 1)
+says   mean(x) == l/(m + 1)
+```
+
+```claim order-variance
+given  int l, m with 1 <= l <= m
+draw   x ~ beta(l, m - l + 1)
+says   var(x) == l*(m - l + 1)/((m + 1)^2*(m + 2))
+```
+
+```claim no-draws
+given  real x > 0
+says   ln(x^2) == 2*ln(x)
+```
+";
+
+    fn simulated() -> (Run, Vec<Alarm>) {
+        let book = read_text("chapter.md", BOOK).expect("a book");
+        let settings = Settings::default();
+        let mut run = run(&book, &settings, &Options::default(), |_| ()).expect("judged");
+        let alarms = add_simulations(&mut run, &book, &settings, 1, |_| ()).expect("threads");
+        (run, alarms)
+    }
+
+    #[test]
+    fn what_holds_is_simulated_where_it_has_draws() {
+        let (run, alarms) = simulated();
+        assert_eq!(alarms, []);
+        let found: Vec<_> = run
+            .reports
+            .iter()
+            .map(|r| r.printed.simulation.as_ref())
+            .collect();
+        for simulation in &found[..2] {
+            let simulation = simulation.expect("simulated");
+            assert!(
+                simulation.points > 0 && simulation.excess < 6.0,
+                "{simulation:?}"
+            );
+        }
+        assert_eq!(found[2], None);
+    }
+
+    #[test]
+    fn a_simulation_that_contradicts_what_holds_is_an_alarm() {
+        let (mut run, _) = simulated();
+        for report in &mut run.reports {
+            if let Some(found) = &mut report.printed.simulation {
+                found.excess = if report.id == "order-mean" { 9.0 } else { 4.0 };
+            }
+        }
+        let alarms = alarms(&run);
+        assert_eq!(alarms.len(), 1);
+        assert_eq!(alarms[0].id, "order-mean");
+    }
 }
