@@ -4,8 +4,8 @@ use super::{Checkpoint, CheckpointError, Simulation, Sums};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Sums of photons that are held at a time by all chunks being drawn, about: 256 MiB.
-const HELD: u64 = 1 << 24;
+/// Sums of so many photons, about, are held until all chunks of a wave are drawn: a wave takes some tenths of a second.
+const HELD: u64 = 1 << 20;
 
 impl Simulation {
     /// Draws all chunks that the checkpoint does not hold, in rayon's pool of threads.
@@ -61,7 +61,7 @@ impl Simulation {
     fn wave(&self, first: u64) -> Vec<Sums> {
         let threads = rayon::current_num_threads() as u64;
         let held = HELD / self.photons.len().max(1) as u64;
-        let count = held.clamp(threads, 4 * threads);
+        let count = held.clamp(2 * threads, 64 * threads);
         let chunks = first..self.chunks().min(first + count);
         let chunks: Vec<u64> = chunks.collect();
         chunks

@@ -100,18 +100,18 @@ pub enum SceneError {
     Samples(u64),
 }
 
-/// Photons that sums are kept of: 256 MiB of sums.
-pub(super) const MOST_PHOTONS: u64 = 1 << 24;
+/// Photons that sums are kept of: 64 MiB, and in a thread up to 512 MiB if all are of one shell.
+pub(super) const MOST_PHOTONS: u64 = 1 << 22;
 /// Numbers of photons and volumes up to here are exact doubles, with room for sums.
 pub(super) const FARTHEST: u64 = 1 << 50;
 /// Runs.
 pub(super) const MOST_RUNS: u64 = 1 << 32;
 /// Dimensions.
 pub(super) const MOST_DIMENSIONS: u32 = 64;
-/// Photons of a shell that is drawn whole: some seconds a chunk of runs.
+/// Photons of a shell that is drawn whole: some ten seconds a chunk of runs.
 pub(super) const LARGEST_DRAWN: u64 = 1 << 26;
-/// Photons of a shell that is held in memory: 64 MiB for eight runs.
-pub(super) const LARGEST_SORTED: u64 = 1 << 20;
+/// Photons of a shell that is held in memory: 64 MiB in a thread.
+pub(super) const LARGEST_SORTED: u64 = 1 << 18;
 /// Samples of one photon: 128 MiB.
 pub(super) const MOST_SAMPLES: u64 = 1 << 24;
 

@@ -549,8 +549,13 @@ fn bad_scenes_are_refused() {
         assert!(matches!(error(scene), SceneError::Shell { .. }));
     }
     assert!(Simulation::new(huge).is_ok());
-    let far = of(Layout::Sequence(vec![u64::MAX, u64::MAX]), 100);
-    assert_eq!(error(far), SceneError::TooFar(1));
+    for (far, k) in [
+        (of(Layout::Sequence(vec![u64::MAX, u64::MAX]), 100), 1),
+        (of(Layout::Sequence(vec![5, u64::MAX]), 7), 6),
+        (of(Layout::Unstratified(rug::Integer::from(1) << 80), 7), 1),
+    ] {
+        assert_eq!(error(far), SceneError::TooFar(k));
+    }
 }
 
 const MOST: u64 = scene::MOST_PHOTONS;
