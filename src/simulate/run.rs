@@ -24,8 +24,11 @@ impl Simulation {
     /// let simulation = Simulation::new(Scene::new(Layout::Triangular, 21, 10_000, 1))?;
     /// let sums = simulation.run(None, |_| ControlFlow::Continue(()))?;
     /// assert_eq!(sums.runs, 10_000);
-    /// // Photon 21 has the mean 1.007... and the standard deviation 0.029...
-    /// assert!((sums.mean(20) - 1.0078).abs() < 0.002, "{}", sums.mean(20));
+    /// // Theory: the last photon of the shell of six around the volume 15.
+    /// let (mut excess, mut variance) = ([0.0], [0.0]);
+    /// claimcheck::special::doubles::neighbours(15, 6, 6, &mut excess, &mut variance)?;
+    /// let z = (sums.excess(20) - excess[0]) / (variance[0] / 10_000.0).sqrt();
+    /// assert!(z.abs() < 4.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn run(
