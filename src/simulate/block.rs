@@ -8,7 +8,7 @@ use std::ops::Range;
 const SINGLES: u64 = 1 << 10;
 
 /// A photon drawn by `Beta` takes as long as about so many drawn by `Spacings`.
-const BETA_COST: u64 = 30;
+const BETA_COST: u64 = 40;
 
 /// A shell, or neighbouring shells of one photon each.
 #[derive(Clone, Debug, PartialEq, Eq)]

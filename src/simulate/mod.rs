@@ -2,7 +2,7 @@
 //!
 //! A [`Scene`] says which photons of which layout are drawn, how, and how often; a [`Simulation`] draws it. U is drawn as
 //! `Va + V*x`, x the l-th smallest of m uniform numbers of the photon's shell ([`crate::model`]); no position ever is. The
-//! ways to draw x ([`Mode`]) have one law and are tested against each other; the cheapest one takes about 2.5 ns a photon on
+//! ways to draw x ([`Mode`]) have one law and are tested against each other; the cheapest one takes about 2 ns a photon on
 //! a core with AVX-512. For each photon [`Sums`] of `d = k/U - 1` and d^2 are kept, so memory does not grow with the runs.
 //!
 //! The runs are cut into chunks that depend on the scene only, and the random numbers (`stream.rs`) on the seed, the
