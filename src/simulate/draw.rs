@@ -85,8 +85,8 @@ fn skip(stream: &mut Stream, photons: u64) {
     }
 }
 
-/// Normalised partial sums of exponentials. They are kept where a near cache holds them; else the same numbers are drawn
-/// once more when the totals are known.
+/// Normalised partial sums of exponentials. They are kept where a near cache holds them; else the same numbers
+/// are drawn once more when the totals are known.
 struct Spacings<'a, V>(Batch<'a, V>);
 
 /// Rows that a near cache holds: 1 MiB.

@@ -1,14 +1,16 @@
 //! Simulation: the estimator k/U of the thesis's chapter 3, drawn many times, in doubles.
 //!
-//! A [`Scene`] says which photons of which layout are drawn, how, and how often; a [`Simulation`] draws it. U is drawn as
-//! `Va + V*x`, x the l-th smallest of m uniform numbers of the photon's shell ([`crate::model`]); no position ever is. The
-//! ways to draw x ([`Mode`]) have one law and are tested against each other; the cheapest one takes about 2 ns a photon on
-//! a core with AVX-512. For each photon [`Sums`] of `d = k/U - 1` and d^2 are kept, so memory does not grow with the runs.
+//! A [`Scene`] says which photons of which layout are drawn, how, and how often; a [`Simulation`] draws it. U
+//! is drawn as `Va + V*x`, x the l-th smallest of m uniform numbers of the photon's shell ([`crate::model`]);
+//! no position ever is. The ways to draw x ([`Mode`]) have one law and are tested against each other; the
+//! cheapest one takes about 2 ns a photon on a core with AVX-512. For each photon [`Sums`] of `d = k/U - 1`
+//! and d^2 are kept, so memory does not grow with the runs.
 //!
-//! The runs are cut into chunks that depend on the scene only, and the random numbers (`stream.rs`) on the seed, the
-//! chunk and the shell only. Chunks are added up in their order. So any number of threads, a run that was killed and went
-//! on from its [`Checkpoint`], and all vectors of the processor ([`Lanes`]) give the same bytes. Radii in three and more
-//! dimensions are roots by the system's library: there the last digits may be others on another system.
+//! The runs are cut into chunks that depend on the scene only, and the random numbers (`stream.rs`) on the
+//! seed, the chunk and the shell only. Chunks are added up in their order. So any number of threads, a run
+//! that was killed and went on from its [`Checkpoint`], and all vectors of the processor ([`Lanes`]) give the
+//! same bytes. Radii in three and more dimensions are roots by the system's library: there the last digits may
+//! be others on another system.
 //!
 //! What a simulation shows is evidence, never proof; a planted [`Fault`] shows what tests of it can find.
 //!
@@ -137,7 +139,8 @@ impl Simulation {
         sums
     }
 
-    /// U of photon k in all runs, in order, in photon units: the very numbers that [`chunk`](Simulation::chunk) adds up.
+    /// U of photon k in all runs, in order, in photon units: the very numbers that
+    /// [`chunk`](Simulation::chunk) adds up.
     ///
     /// ```
     /// use claimcheck::{model::Layout, simulate::{Scene, Simulation}};

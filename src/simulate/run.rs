@@ -4,15 +4,17 @@ use super::{Checkpoint, CheckpointError, Simulation, Sums};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Sums of so many photons, about, are held until all chunks of a wave are drawn: a wave takes some tenths of a second.
+/// Sums of so many photons, about, are held until all chunks of a wave are drawn: a wave takes some tenths of
+/// a second.
 const HELD: u64 = 1 << 20;
 
 impl Simulation {
     /// Draws all chunks that the checkpoint does not hold, in rayon's pool of threads.
     ///
-    /// `watch` is shown all sums up to here after each chunk, always in order, and may stop: to show progress, to cancel,
-    /// or because the runs tell enough already. The sums up to there are then returned. What is returned has the same bytes
-    /// for any number of threads, and if the run was killed or stopped and went on from its checkpoint.
+    /// `watch` is shown all sums up to here after each chunk, always in order, and may stop: to show progress,
+    /// to cancel, or because the runs tell enough already. The sums up to there are then returned. What is
+    /// returned has the same bytes for any number of threads, and if the run was killed or stopped and went on
+    /// from its checkpoint.
     ///
     /// # Errors
     /// Where the checkpoint cannot be written.

@@ -126,7 +126,8 @@ fn variances_agree_with_theory() {
 
 #[test]
 fn a_huge_shell_is_drawn_twice_or_by_beta() {
-    // More photons than are kept in memory, so that the numbers are drawn again; the last ones, the first, and some between.
+    // More photons than are kept in memory, so that the numbers are drawn again; the last ones, the first, and
+    // some between.
     let only = vec![1, 3, 2500, 2501, 4999, 5000, 5001];
     let layout = Layout::Sequence(vec![0, 5000, 1]);
     for mode in [Mode::Spacings, Mode::Cheapest, Mode::Sorted] {
