@@ -8,7 +8,7 @@ use std::ops::Range;
 const SINGLES: u64 = 1 << 10;
 
 /// A photon drawn by `Beta` takes as long as about so many drawn by `Spacings`.
-const BETA_COST: u64 = 30;
+const BETA_COST: u64 = 40;
 
 /// A shell, or neighbouring shells of one photon each.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub(super) fn blocks(scene: &Scene, asked: &[u64]) -> Result<Vec<Block>, SceneEr
     let mut blocks = vec![];
     let mut at = 0;
     while let Some(&k) = asked.get(at) {
-        let (inner, count) = shells.around(k).ok_or(SceneError::NoPhoton(k))?;
+        let (inner, count) = shells.around(k)?;
         let end = inner.checked_add(count);
         let end = end
             .filter(|&end| end <= FARTHEST)
@@ -92,16 +92,21 @@ impl<'a> Shells<'a> {
     }
 
     /// The volume inside the block of photon k, and its own.
-    fn around(&mut self, k: u64) -> Option<(u64, u64)> {
+    fn around(&mut self, k: u64) -> Result<(u64, u64), SceneError> {
+        let missing = SceneError::NoPhoton(k);
         match self.scene.layout {
-            Layout::One if self.singles => Some((align(k), SINGLES)),
+            Layout::One if self.singles => Ok((align(k), SINGLES)),
             Layout::Sequence(_) => {
-                while self.at_hand.0 + self.at_hand.1 < k {
-                    self.at_hand = in_words(&self.walk.next()?.1)?;
+                while self.at_hand.0.saturating_add(self.at_hand.1) < k {
+                    let (_, shell) = self.walk.next().ok_or(missing.clone())?;
+                    self.at_hand = in_words(&shell).ok_or(SceneError::TooFar(k))?;
                 }
-                Some(self.at_hand)
+                Ok(self.at_hand)
             }
-            _ => in_words(&self.scene.layout.shell(&k.into())?),
+            _ => {
+                let shell = self.scene.layout.shell(&k.into()).ok_or(missing)?;
+                in_words(&shell).ok_or(SceneError::TooFar(k))
+            }
         }
     }
 

@@ -1,7 +1,8 @@
 //! The file from which a run that was killed goes on.
 //!
-//! A line of JSON, the scene and the scheme; then in 64 bits each, the least byte first: the number of runs, for
-//! each photon the sum of d, for each the sum of d^2, and the hash FNV-1a (Fowler, Noll and Vo) of all bytes before.
+//! A line of JSON, the scene and the scheme; then in 64 bits each, the least byte first: the number of runs,
+//! for each photon the sum of d, for each the sum of d^2, and the hash FNV-1a (Fowler, Noll and Vo) of all
+//! bytes before.
 
 use super::{Fault, Mode, Scene, Simulation, Sums};
 use crate::model::Layout;

@@ -85,8 +85,8 @@ fn skip(stream: &mut Stream, photons: u64) {
     }
 }
 
-/// Normalised partial sums of exponentials. They are kept where a near cache holds them; else the same numbers are drawn
-/// once more when the totals are known.
+/// Normalised partial sums of exponentials. They are kept where a near cache holds them; else the same numbers
+/// are drawn once more when the totals are known.
 struct Spacings<'a, V>(Batch<'a, V>);
 
 /// Rows that a near cache holds: 1 MiB.
@@ -99,21 +99,14 @@ impl<V: Visitor> Task for Spacings<'_, V> {
     fn run(self) {
         let place = self.0.place();
         let mut batch = self.0;
-        let mut again = *batch.stream;
+        let mut again = Again::new(&batch);
         let totals = batch.partial_sums();
         let volumes = Row(totals.0.map(|total| place.volume / total));
-        let (mut sums, mut passed) = (Row::all(0.0), 0);
         for (index, &k) in batch.asked.iter().enumerate() {
             let l = k - batch.block.inner;
             let row = match batch.rows.get(l as usize - 1) {
                 Some(row) => place.store(&volumes, row),
-                None => {
-                    while passed < l {
-                        add_exponentials(&mut again, &mut sums);
-                        passed += 1;
-                    }
-                    place.store(&volumes, &sums)
-                }
+                None => place.store(&volumes, again.sums_to(l)),
             };
             batch.visitor.photon(index, &place, l as f64, &row);
         }
@@ -125,30 +118,92 @@ impl<V: Visitor> Batch<'_, V> {
     #[inline(always)]
     fn partial_sums(&mut self) -> Row {
         let count = self.drawn() + 1;
-        let mut sums = Row::all(0.0);
         if count > NEAR {
+            let mut all = Again::new(self);
+            let totals = *all.sums_to(count);
             self.rows.clear();
-            for _ in 0..count {
-                add_exponentials(self.stream, &mut sums);
-            }
-            return sums;
+            *self.stream = all.stream;
+            return totals;
         }
+        let mut sums = Row::all(0.0);
         self.rows.resize(count as usize, sums);
-        for row in self.rows.iter_mut() {
-            add_exponentials(self.stream, &mut sums);
+        let (pairs, last) = self.rows.as_chunks_mut::<2>();
+        for [first, second] in pairs {
+            *first = add_two(self.stream, &mut sums);
+            *second = sums;
+        }
+        for row in last {
+            add_one(self.stream, &mut sums);
             *row = sums;
         }
         sums
     }
 }
 
+/// Partial sums one after the other, none of them kept.
+struct Again {
+    stream: Stream,
+    /// How many there are, and how many are drawn.
+    count: u64,
+    drawn: u64,
+    /// The last two.
+    before: Row,
+    sums: Row,
+}
+
+impl Again {
+    fn new<V: Visitor>(batch: &Batch<'_, V>) -> Again {
+        Again {
+            stream: *batch.stream,
+            count: batch.drawn() + 1,
+            drawn: 0,
+            before: Row::all(0.0),
+            sums: Row::all(0.0),
+        }
+    }
+
+    /// The sums of l exponentials; l must not fall.
+    #[inline(always)]
+    fn sums_to(&mut self, l: u64) -> &Row {
+        while self.drawn < l {
+            if self.drawn + 2 <= self.count {
+                self.before = add_two(&mut self.stream, &mut self.sums);
+                self.drawn += 2;
+            } else {
+                add_one(&mut self.stream, &mut self.sums);
+                self.drawn += 1;
+            }
+        }
+        if l == self.drawn {
+            &self.sums
+        } else {
+            &self.before
+        }
+    }
+}
+
 /// An exponential more for each sum.
 #[inline(always)]
-fn add_exponentials(stream: &mut Stream, sums: &mut Row) {
-    let row = stream.uniforms();
+fn add_one(stream: &mut Stream, sums: &mut Row) {
+    let u = stream.uniforms();
     for lane in 0..LANES {
-        sums.0[lane] += minus_ln(row.0[lane]);
+        sums.0[lane] += minus_ln(u.0[lane]);
     }
+}
+
+/// Two exponentials more for each sum; returns the sums after the first.
+///
+/// The sum of two is `-ln(u v)`, and given it the first is a uniform part of it: so one logarithm serves two.
+#[inline(always)]
+fn add_two(stream: &mut Stream, sums: &mut Row) -> Row {
+    let [u, v, part] = [stream.uniforms(), stream.uniforms(), stream.uniforms()];
+    let mut first = *sums;
+    for lane in 0..LANES {
+        let both = minus_ln(u.0[lane] * v.0[lane]);
+        first.0[lane] += part.0[lane] * both;
+        sums.0[lane] += both;
+    }
+    first
 }
 
 impl<V: Visitor> Batch<'_, V> {

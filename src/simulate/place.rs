@@ -80,7 +80,7 @@ impl Place {
     pub(super) fn deviations(&self, l: f64, stored: &Row) -> Row {
         let past = l + self.shift;
         if self.dimension.is_some() {
-            return self.from_radii(past, stored);
+            return self.radial_deviations(past, stored);
         }
         let inner = self.inner;
         let mut row = Row::all(0.0);
@@ -91,7 +91,7 @@ impl Place {
     }
 
     #[inline(never)]
-    fn from_radii(&self, past: f64, radii: &Row) -> Row {
+    fn radial_deviations(&self, past: f64, radii: &Row) -> Row {
         let k = self.inner + past;
         Row(self.volumes(radii).0.map(|volume| (k - volume) / volume))
     }

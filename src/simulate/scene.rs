@@ -10,8 +10,8 @@ pub struct Scene {
     pub layout: Layout,
     /// The last photon that is looked at; a shell that reaches past it is drawn whole.
     pub photons: u64,
-    /// Draw radii in this many dimensions, and take U as `r^d` (radii in units in which a ball of volume u has the radius
-    /// `u^(1/d)`); without it U alone is drawn.
+    /// Draw radii in this many dimensions, and take U as `r^d` (radii in units in which a ball of volume u has
+    /// the radius `u^(1/d)`); without it U alone is drawn.
     pub dimension: Option<u32>,
     /// How the places inside a shell are drawn.
     pub mode: Mode,
@@ -28,17 +28,17 @@ pub struct Scene {
 /// Ways to draw the places of the photons of a shell: all have the same law of each photon.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
-    /// One uniform number where a shell holds one photon, `Beta` where few photons are asked for of a large shell,
-    /// else `Spacings`.
+    /// One uniform number where a shell holds one photon, `Beta` where few photons are asked for of a large
+    /// shell, else `Spacings`.
     #[default]
     Cheapest,
     /// m uniform numbers (radii, in a dimension) a shell, sorted: the thesis's way.
     Sorted,
-    /// `x_(l) = S_l/S_(m+1)` with the partial sums S of m+1 exponentials: no sort. Luc Devroye, Non-uniform random variate
-    /// generation (1986), V.3.1.
+    /// `x_(l) = S_l/S_(m+1)` with the partial sums S of m+1 exponentials: no sort. Luc Devroye, Non-uniform
+    /// random variate generation (1986), V.3.1.
     Spacings,
-    /// `x ~ Beta(l, m-l+1)` as a quotient of two gamma variates, only for the photons that are asked for. Each is drawn
-    /// by itself: the photons of a shell are then independent, their joint law is not kept.
+    /// `x ~ Beta(l, m-l+1)` as a quotient of two gamma variates, only for the photons that are asked for. Each
+    /// is drawn by itself: the photons of a shell are then independent, their joint law is not kept.
     Beta,
 }
 
@@ -55,7 +55,8 @@ pub enum Fault {
     Unsorted,
     /// The photons of a shell are sorted the wrong way.
     Descending,
-    /// The generator's volumes are too small by a part of [`Fault::BIAS`]: so all means of k/U are too large by as much.
+    /// The generator's volumes are too small by a part of [`Fault::BIAS`]: so all means of k/U are too large
+    /// by as much.
     Biased,
 }
 
@@ -100,18 +101,18 @@ pub enum SceneError {
     Samples(u64),
 }
 
-/// Photons that sums are kept of: 256 MiB of sums.
-pub(super) const MOST_PHOTONS: u64 = 1 << 24;
+/// Photons that sums are kept of: 64 MiB, and in a thread up to 512 MiB if all are of one shell.
+pub(super) const MOST_PHOTONS: u64 = 1 << 22;
 /// Numbers of photons and volumes up to here are exact doubles, with room for sums.
 pub(super) const FARTHEST: u64 = 1 << 50;
 /// Runs.
 pub(super) const MOST_RUNS: u64 = 1 << 32;
 /// Dimensions.
 pub(super) const MOST_DIMENSIONS: u32 = 64;
-/// Photons of a shell that is drawn whole: some seconds a chunk of runs.
+/// Photons of a shell that is drawn whole: some ten seconds a chunk of runs.
 pub(super) const LARGEST_DRAWN: u64 = 1 << 26;
-/// Photons of a shell that is held in memory: 64 MiB for eight runs.
-pub(super) const LARGEST_SORTED: u64 = 1 << 20;
+/// Photons of a shell that is held in memory: 64 MiB in a thread.
+pub(super) const LARGEST_SORTED: u64 = 1 << 18;
 /// Samples of one photon: 128 MiB.
 pub(super) const MOST_SAMPLES: u64 = 1 << 24;
 

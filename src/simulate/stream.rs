@@ -13,8 +13,8 @@
 //! `mix` is a bijection, so s0 and s1 tell h0, s2 then h1, s3 then h2, and these the key: no two lanes of any
 //! two streams have the same state, and every word depends on the whole key.
 
-/// Runs that are drawn together. Loops over so many lanes are long enough that the compiler makes vectors of them, and
-/// that one step's waiting is filled with other lanes' work.
+/// Runs that are drawn together. Loops over so many lanes are long enough that the compiler makes vectors of
+/// them, and that one step's waiting is filled with other lanes' work.
 pub(super) const LANES: usize = 32;
 
 /// A number for each of these runs; aligned, so that no vector lies across two lines of the cache.
@@ -78,7 +78,8 @@ fn mix(state: u64) -> u64 {
 }
 
 impl Stream {
-    /// For each lane a number between 0 and 1, neither of them: `(j + 1/2)/2^52`, j the first 52 bits of the next word.
+    /// For each lane a number between 0 and 1, neither of them: `(j + 1/2)/2^52`, j the first 52 bits of the
+    /// next word.
     #[inline(always)]
     pub(super) fn uniforms(&mut self) -> Row {
         let [a, b, c, d] = &mut self.words;

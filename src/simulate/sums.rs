@@ -1,10 +1,11 @@
 //! What the runs of a scene come to: two sums for each photon, added up in one pass.
 //!
-//! Both sums are of `d = k/U - 1`, the estimator's relative error, which is itself drawn without cancellation, as
-//! `(l - V*x)/U`. So the mean and the variance of k/U are those of shifted data, and the shift is the true value:
-//! relative to the variance, n sums lose a factor `1 + (mean d)^2/Var` of their digits only (Tony Chan, Gene Golub
-//! and Randall LeVeque, The American Statistician 37, 1983, formulas 1.6 and 2.3 with the shift of 1.7). For one
-//! photon a shell that is 1 + 3 at most, because `Var` is about `(mean d)^2/3`; for larger shells it is nearly 1.
+//! Both sums are of `d = k/U - 1`, the estimator's relative error, which is itself drawn without cancellation,
+//! as `(l - V*x)/U`. So the mean and the variance of k/U are those of shifted data, and the shift is the true
+//! value: relative to the variance, n sums lose a factor `1 + (mean d)^2/Var` of their digits only (Tony Chan,
+//! Gene Golub and Randall LeVeque, The American Statistician 37, 1983, formulas 1.6 and 2.3 with the shift of
+//! 1.7). For one photon a shell that is 1 + 3 at most, because `Var` is about `(mean d)^2/3`; for larger
+//! shells it is nearly 1.
 
 use serde::{Deserialize, Serialize};
 
@@ -51,8 +52,8 @@ impl Sums {
         self.over_runs(&self.deviation, i)
     }
 
-    /// The variance of k/U, without bias: squares around the mean of the runs, over the runs less one. NaN for less
-    /// than two runs.
+    /// The variance of k/U, without bias: squares around the mean of the runs, over the runs less one. NaN for
+    /// less than two runs.
     pub fn variance(&self, i: usize) -> f64 {
         if self.runs < 2 {
             return f64::NAN;

@@ -126,7 +126,8 @@ fn variances_agree_with_theory() {
 
 #[test]
 fn a_huge_shell_is_drawn_twice_or_by_beta() {
-    // More photons than are kept in memory, so that the numbers are drawn again; the last ones, the first, and some between.
+    // More photons than are kept in memory, so that the numbers are drawn again; the last ones, the first, and
+    // some between.
     let only = vec![1, 3, 2500, 2501, 4999, 5000, 5001];
     let layout = Layout::Sequence(vec![0, 5000, 1]);
     for mode in [Mode::Spacings, Mode::Cheapest, Mode::Sorted] {
@@ -549,8 +550,13 @@ fn bad_scenes_are_refused() {
         assert!(matches!(error(scene), SceneError::Shell { .. }));
     }
     assert!(Simulation::new(huge).is_ok());
-    let far = of(Layout::Sequence(vec![u64::MAX, u64::MAX]), 100);
-    assert_eq!(error(far), SceneError::TooFar(1));
+    for (far, k) in [
+        (of(Layout::Sequence(vec![u64::MAX, u64::MAX]), 100), 1),
+        (of(Layout::Sequence(vec![5, u64::MAX]), 7), 6),
+        (of(Layout::Unstratified(rug::Integer::from(1) << 80), 7), 1),
+    ] {
+        assert_eq!(error(far), SceneError::TooFar(k));
+    }
 }
 
 const MOST: u64 = scene::MOST_PHOTONS;
