@@ -78,7 +78,9 @@ fn alarms(run: &Run) -> Vec<Alarm> {
     let simulated = || {
         run.reports.iter().flat_map(|report| {
             let answers = std::iter::once(&report.printed).chain(&report.mended);
-            answers.filter_map(|answer| Some((report, answer.verdict, answer.simulation.as_ref()?)))
+            answers.filter_map(move |answer| {
+                Some((report, answer.verdict, answer.simulation.as_ref()?))
+            })
         })
     };
     let tests: usize = simulated().map(|(_, _, found)| found.points).sum();

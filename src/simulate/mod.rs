@@ -9,7 +9,7 @@
 //! The runs are cut into chunks that depend on the scene only, and the random numbers (`stream.rs`) on the
 //! seed, the chunk and the shell only. Chunks are added up in their order. So any number of threads, a run
 //! that was killed and went on from its [`Checkpoint`], and all vectors of the processor ([`Lanes`]) give the
-//! same bytes. Radii in three and more dimensions are roots by the system's library: there the last digits may
+//! same bytes. Radii in four and more dimensions are powers by the system's library: there the last digits may
 //! be others on another system.
 //!
 //! What a simulation shows is evidence, never proof; a planted [`Fault`] shows what tests of it can find.
@@ -35,6 +35,7 @@ mod draw;
 mod law;
 mod logarithm;
 mod place;
+mod root;
 mod run;
 mod scene;
 mod stream;

@@ -1,5 +1,6 @@
 //! From places inside a shell to volumes and to the estimator.
 
+use super::root::cube_root;
 use super::scene::{Fault, Scene};
 use super::stream::{LANES, Row};
 
@@ -59,18 +60,29 @@ impl Place {
     }
 
     /// The radii of photons at these volumes past the inner edge.
-    #[inline(never)]
-    fn radii(&self, past: Row, d: u32) -> Row {
-        Row(past.0.map(|past| radius(self.inner + past, d)))
+    #[inline(always)]
+    fn radii(&self, mut past: Row, d: u32) -> Row {
+        for past in &mut past.0 {
+            *past += self.inner;
+        }
+        match d {
+            1 => past,
+            2 => past.each(f64::sqrt),
+            3 => past.each(cube_root),
+            d => past.each(|volume| volume.powf(1.0 / f64::from(d))),
+        }
     }
 
     /// U of photons.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn volumes(&self, stored: &Row) -> Row {
-        Row(stored.0.map(|stored| match self.dimension {
-            None => self.inner + stored,
-            Some(d) => power(stored, d),
-        }))
+        match self.dimension {
+            None => stored.each(|past| self.inner + past),
+            Some(1) => *stored,
+            Some(2) => stored.each(|radius| radius * radius),
+            Some(3) => stored.each(|radius| radius * radius * radius),
+            Some(d) => stored.each(|radius| power(radius, d)),
+        }
     }
 
     /// `k/U - 1 = (k - U)/U` of the l-th photon.
@@ -90,20 +102,10 @@ impl Place {
         row
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn radial_deviations(&self, past: f64, radii: &Row) -> Row {
         let k = self.inner + past;
-        Row(self.volumes(radii).0.map(|volume| (k - volume) / volume))
-    }
-}
-
-/// `U^(1/d)`
-fn radius(volume: f64, d: u32) -> f64 {
-    match d {
-        1 => volume,
-        2 => volume.sqrt(),
-        3 => volume.cbrt(),
-        _ => volume.powf(1.0 / f64::from(d)),
+        self.volumes(radii).each(|volume| (k - volume) / volume)
     }
 }
 

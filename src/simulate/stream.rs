@@ -27,6 +27,16 @@ impl Row {
     pub(super) fn all(number: f64) -> Row {
         Row([number; LANES])
     }
+
+    /// A function of each number.
+    #[inline(always)]
+    pub(super) fn each(&self, function: impl Fn(f64) -> f64) -> Row {
+        let mut row = *self;
+        for number in &mut row.0 {
+            *number = function(*number);
+        }
+        row
+    }
 }
 
 /// Which stream.
