@@ -3,6 +3,7 @@
 use super::float::{arithmetic, float, plain};
 use super::{Context, Failure, unsupported};
 use crate::formula::{Condition, Formula, Function, Name, Operator, Part, Relation};
+use std::cmp::Ordering;
 
 /// A formula of some variables; all else is computed once.
 #[derive(Clone, Debug)]
@@ -193,7 +194,7 @@ impl Truth {
 fn related(a: f64, relation: Relation, b: f64) -> bool {
     match relation {
         Relation::Equal => a == b,
-        Relation::NotEqual => a < b || a > b,
+        Relation::NotEqual => a.partial_cmp(&b).is_some_and(Ordering::is_ne),
         Relation::Less => a < b,
         Relation::LessEqual => a <= b,
         Relation::Greater => a > b,

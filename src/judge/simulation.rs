@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 const POINTS: usize = 3;
 
 /// Points tried for a relation.
-const MOST_TRIED: usize = 16;
+const MOST_TRIED: usize = 10;
 
 /// Steps that the making of one experiment may take.
 const STEPS: u64 = 200_000;

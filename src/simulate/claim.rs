@@ -39,6 +39,9 @@ struct Experiment {
     right: Program,
 }
 
+/// Numbers that are drawn in all runs, at most: some tenths of a second.
+const MOST_DRAWN: u64 = 20_000_000;
+
 /// Numbers that the runs may hold together.
 const MOST_NUMBERS: u64 = 1 << 26;
 
@@ -69,8 +72,10 @@ pub fn simulate_relation(
     seed: u64,
 ) -> Result<Simulated, Failure> {
     let experiment = Experiment::new(left, right, context)?;
-    if runs.saturating_mul(experiment.bodies.len() as u64) > MOST_NUMBERS || runs < 2 {
-        return Err(Failure::TooLarge(format!("{runs} runs")));
+    let cost: u64 = experiment.samplers.iter().map(Sampler::cost).sum();
+    let kept = runs.saturating_mul(experiment.bodies.len() as u64);
+    if runs < 2 || kept > MOST_NUMBERS || runs.saturating_mul(cost) > MOST_DRAWN {
+        return Err(Failure::TooLarge(format!("{runs} runs of {cost} draws")));
     }
     let key = Key {
         seed,

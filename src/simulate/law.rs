@@ -9,7 +9,7 @@ use crate::formula::{Formula, Law};
 const STEPS: u32 = 1 << 14;
 
 /// Draws that are sorted for one order statistic, at most.
-const MOST_SORTED: f64 = 1e4;
+const MOST_SORTED: f64 = 1e6;
 
 /// A law with numbers for its parameters.
 #[derive(Clone, Debug)]
@@ -68,6 +68,14 @@ impl Sampler {
                 table.map_or_else(refused, |table| Ok(Sampler::Table(table)))
             }
             Law::Any => refused(),
+        }
+    }
+
+    /// How many numbers are drawn for one draw.
+    pub(super) fn cost(&self) -> u64 {
+        match self {
+            Sampler::Order(_, m, of) => (*m as u64).saturating_mul(of.cost()),
+            _ => 1,
         }
     }
 

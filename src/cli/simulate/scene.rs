@@ -184,7 +184,7 @@ impl Photons {
         running: &Running,
         before: u64,
     ) -> Result<Watch, Failure> {
-        if !(width > 0.0) {
+        if width.is_nan() || width <= 0.0 {
             return Err(Failure::input(
                 "a width is positive",
                 Some("write --until 1e-4"),
