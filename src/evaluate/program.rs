@@ -1,9 +1,12 @@
 //! A formula as a program over floats, for its values at many places: for simulations. Nothing is proved by it.
 
+use super::enclose::ladder;
 use super::float::{arithmetic, float, plain};
-use super::{Context, Failure, unsupported};
+use super::{Context, Failure, Outcome, unsupported};
 use crate::formula::{Condition, Formula, Function, Name, Operator, Part, Relation};
-use std::cmp::Ordering;
+
+/// Digits of what is computed once.
+const DIGITS: u32 = 17;
 
 /// A formula of some variables; all else is computed once.
 #[derive(Clone, Debug)]
@@ -71,8 +74,8 @@ impl Test {
         truth(condition, &Scope { variables, context }).map(Test)
     }
 
-    /// Whether it holds.
-    pub fn holds(&self, variables: &[f64]) -> bool {
+    /// Whether it holds; `None` where a number in it has no value.
+    pub fn holds(&self, variables: &[f64]) -> Option<bool> {
         self.0.holds(variables)
     }
 }
@@ -86,7 +89,7 @@ fn node(formula: &Formula, scope: &Scope) -> Result<Node, Failure> {
     scope.context.budget.spend(1)?;
     let free = Part::Formula(formula).free_names();
     if !scope.variables.iter().any(|name| free.contains(name)) {
-        return float(formula, scope.context).map(Node::Constant);
+        return constant(formula, scope.context).map(Node::Constant);
     }
     let inner = |formula: &Formula| node(formula, scope).map(Box::new);
     let both = |a: &Formula, b: &Formula| -> Result<_, Failure> {
@@ -112,6 +115,14 @@ fn node(formula: &Formula, scope: &Scope) -> Result<Node, Failure> {
         Formula::If(condition, a, b) => Node::If(Box::new(truth(condition, scope)?), both(a, b)?),
         _ => return Err(unsupported(format!("`{formula}`"))),
     })
+}
+
+/// What is computed once may as well be computed without cancellation.
+fn constant(formula: &Formula, context: &Context) -> Result<f64, Failure> {
+    match ladder(formula, context, DIGITS) {
+        Ok(Outcome::Value(interval)) => Ok(interval.midpoint().to_f64()),
+        _ => float(formula, context),
+    }
 }
 
 fn nodes(formulas: &[Formula], scope: &Scope) -> Result<Vec<Node>, Failure> {
@@ -165,42 +176,51 @@ impl Node {
             }
             Node::If(truth, sides) => {
                 let [yes, no] = sides.as_ref();
-                let side = if truth.holds(variables) { yes } else { no };
-                side.value(variables)
+                match truth.holds(variables) {
+                    Some(true) => yes.value(variables),
+                    Some(false) => no.value(variables),
+                    None => f64::NAN,
+                }
             }
         }
     }
 }
 
 impl Truth {
-    fn holds(&self, variables: &[f64]) -> bool {
+    fn holds(&self, variables: &[f64]) -> Option<bool> {
+        let all = |parts: &[Truth], wanted: bool| {
+            let told: Option<Vec<bool>> = parts.iter().map(|part| part.holds(variables)).collect();
+            Some(told?.into_iter().all(|holds| holds == wanted))
+        };
         match self {
             Truth::Chain(first, links) => {
                 let mut left = first.value(variables);
-                links.iter().all(|(relation, right)| {
+                let mut holds = true;
+                for (relation, right) in links {
                     let right = right.value(variables);
-                    let holds = related(left, *relation, right);
+                    holds &= related(left, *relation, right)?;
                     left = right;
-                    holds
-                })
+                }
+                Some(holds)
             }
-            Truth::And(parts) => parts.iter().all(|part| part.holds(variables)),
-            Truth::Or(parts) => parts.iter().any(|part| part.holds(variables)),
-            Truth::Not(inner) => !inner.holds(variables),
+            Truth::And(parts) => all(parts, true),
+            Truth::Or(parts) => all(parts, false).map(|none| !none),
+            Truth::Not(inner) => inner.holds(variables).map(|holds| !holds),
         }
     }
 }
 
-fn related(a: f64, relation: Relation, b: f64) -> bool {
+fn related(a: f64, relation: Relation, b: f64) -> Option<bool> {
+    let order = a.partial_cmp(&b)?;
     match relation {
-        Relation::Equal => a == b,
-        Relation::NotEqual => a.partial_cmp(&b).is_some_and(Ordering::is_ne),
-        Relation::Less => a < b,
-        Relation::LessEqual => a <= b,
-        Relation::Greater => a > b,
-        Relation::GreaterEqual => a >= b,
+        Relation::Equal => Some(order.is_eq()),
+        Relation::NotEqual => Some(order.is_ne()),
+        Relation::Less => Some(order.is_lt()),
+        Relation::LessEqual => Some(order.is_le()),
+        Relation::Greater => Some(order.is_gt()),
+        Relation::GreaterEqual => Some(order.is_ge()),
         // In statements only.
-        Relation::Asymptotic | Relation::Approximate => false,
+        Relation::Asymptotic | Relation::Approximate => None,
     }
 }
 
@@ -237,7 +257,13 @@ mod tests {
 
     #[test]
     fn no_value_is_nan_and_no_method_is_an_error() {
-        for text in ["x/(y - 3)", "ln(-x)", "min(x, ln(-x))", "max(ln(-x), x)"] {
+        for text in [
+            "x/(y - 3)",
+            "ln(-x)",
+            "min(x, ln(-x))",
+            "max(ln(-x), x)",
+            "[not ln(-x) < 1]",
+        ] {
             assert!(value(text, 2.0, 3.0).expect("a program").is_nan(), "{text}");
         }
         assert!(matches!(

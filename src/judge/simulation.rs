@@ -3,9 +3,9 @@
 use super::Settings;
 use super::search::points;
 use super::statement::{numbered_relations, relation_count};
-use crate::evaluate::{Context, Failure};
-use crate::formula::{Budget, Point, Proposition, Relation};
-use crate::simulate::{Simulated, simulate_relation};
+use crate::evaluate::Context;
+use crate::formula::{Budget, Formula, Point, Proposition, Relation};
+use crate::simulate::{Draws, Simulated, simulate_relation};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -51,8 +51,8 @@ pub struct Simulation {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trials {
     pub done: Vec<Trial>,
-    /// Why the first relation that was not simulated was not.
-    pub reason: Option<Failure>,
+    /// The relations that were not simulated at any point, and why.
+    pub left_out: Vec<(usize, String)>,
 }
 
 /// Simulates each relation of a proposition at a few points of its domain, or at one that is given.
@@ -62,46 +62,90 @@ pub fn simulate(
     settings: &Settings,
     runs: u64,
 ) -> Trials {
-    let mut trials = Trials::default();
     let statement = proposition.pointwise();
     let chosen = match given {
         Some(point) => vec![point.clone()],
         None => spread(points(proposition, &Budget::new(settings.budget), settings)),
     };
-    for (number, left, relation, right) in numbered_relations(&statement) {
+    let related = numbered_relations(&statement);
+    let mut trials = Trials::default();
+    for number in 1..=relation_count(&statement) {
+        let sides = related.iter().find(|(other, ..)| *other == number);
+        let reason = match sides {
+            None => Some("it speaks of a limit".to_owned()),
+            Some((_, _, Relation::NotEqual | Relation::Asymptotic | Relation::Approximate, _)) => {
+                Some("no equation or inequality".to_owned())
+            }
+            Some((_, left, relation, right)) => {
+                let relation = Related {
+                    number,
+                    left,
+                    relation: *relation,
+                    right,
+                };
+                relation.simulate(proposition, &chosen, settings, runs, &mut trials.done)
+            }
+        };
+        trials
+            .left_out
+            .extend(reason.map(|reason| (number, reason)));
+    }
+    trials
+}
+
+/// A relation of a statement.
+struct Related<'a> {
+    number: usize,
+    left: &'a Formula,
+    relation: Relation,
+    right: &'a Formula,
+}
+
+impl Related<'_> {
+    /// Simulates it at points until enough of them count; the reason, if it could be at none.
+    fn simulate(
+        &self,
+        proposition: &Proposition,
+        points: &[Point],
+        settings: &Settings,
+        runs: u64,
+        done: &mut Vec<Trial>,
+    ) -> Option<String> {
+        let before = done.len();
         let mut counted = 0;
-        for (index, point) in (0..).zip(&chosen) {
+        let mut reason = None;
+        for (index, point) in (0..).zip(points) {
+            if counted == POINTS {
+                break;
+            }
             let context = Context {
                 point,
                 draws: &proposition.draws,
                 budget: &Budget::new(STEPS),
             };
-            match simulate_relation(
-                left,
-                right,
-                &context,
+            let draws = Draws {
                 runs,
-                settings.seed.wrapping_add(index),
-            ) {
+                seed: settings.seed,
+                number: index,
+            };
+            match simulate_relation(self.left, self.right, &context, draws) {
                 Ok(simulated) => {
                     counted += usize::from(simulated.z.counts);
-                    trials.done.push(Trial {
-                        relation: number,
+                    done.push(Trial {
+                        relation: self.number,
                         point: point.clone(),
-                        excess: excess(relation, simulated.z.z),
+                        excess: excess(self.relation, simulated.z.z),
                         simulated,
                     });
                 }
                 Err(failure) => {
-                    trials.reason.get_or_insert(failure);
+                    reason.get_or_insert(failure.to_string());
                 }
             }
-            if counted == POINTS {
-                break;
-            }
         }
+        let none = || "there is no point of its domain".to_owned();
+        (done.len() == before).then(|| reason.unwrap_or_else(none))
     }
-    trials
 }
 
 /// Some of the points, from the smallest on, evenly over all of them.

@@ -6,9 +6,9 @@ use super::words::counted;
 use crate::judge::{Trial, Trials};
 use crate::model::Layout;
 use crate::simulate::verdict::Report;
-use crate::simulate::verdict::battery::{Finding, Verdict};
+use crate::simulate::verdict::battery::{Finding, Verdict, critical};
 use crate::simulate::verdict::kolmogorov::Kolmogorov;
-use crate::simulate::verdict::sequential::Watch;
+use crate::simulate::verdict::sequential::{Interval, Watch};
 use crate::simulate::{Scene, Sums};
 use serde_json::json;
 use std::fmt::Write;
@@ -51,10 +51,11 @@ pub fn statements(id: &str, statements: &[Statement], runs: u64, least: f64) -> 
         for trial in &statement.trials.done {
             text.push_str(&trial_lines(trial, least));
         }
-        if statement.trials.done.is_empty() {
-            let reason = statement.trials.reason.as_ref();
-            let reason = reason.map_or("no relation to simulate".to_owned(), ToString::to_string);
-            let _ = writeln!(text, "  not simulated: {reason}");
+        for (relation, reason) in &statement.trials.left_out {
+            let _ = writeln!(text, "  relation {relation} is not simulated: {reason}");
+        }
+        if statement.trials.done.is_empty() && statement.trials.left_out.is_empty() {
+            let _ = writeln!(text, "  there is no relation to simulate");
         }
     }
     text
@@ -68,17 +69,17 @@ fn trial_lines(trial: &Trial, least: f64) -> String {
         .collect();
     let found = &trial.simulated;
     let said = match (found.z.counts, contradicts(trial, least)) {
-        (false, _) => "does not count: too few runs, or too rare large values",
+        (false, _) => "does not count: rare large values decide, or the sides hardly scatter apart",
         (true, true) => "contradicts",
         (true, false) => "agrees",
     };
     format!(
-        "  relation {} at {}\n    left {:.6}, right {:.6}: z = {:.2}, {}\n",
+        "  relation {} at {}\n    left {}, right {}: z = {}, {}\n",
         trial.relation,
         place.join(", "),
-        found.left,
-        found.right,
-        found.z.z,
+        short(found.left),
+        short(found.right),
+        z_words(Some(found.z.z)),
         paint(
             if contradicts(trial, least) {
                 STRONG
@@ -109,7 +110,7 @@ pub fn statements_json(id: &str, statements: &[Statement], runs: u64, least: f64
             "statement": statement.label,
             "written": statement.written,
             "trials": statement.trials.done.iter().map(trial).collect::<Vec<_>>(),
-            "reason": statement.trials.reason.as_ref().map(ToString::to_string),
+            "left_out": statement.trials.left_out,
         })
     };
     let all: Vec<_> = statements.iter().map(statement).collect();
@@ -158,7 +159,7 @@ impl Outcome {
         means && self.laws.iter().all(|(_, law)| self.law_agrees(law))
     }
 
-    /// The laws share a level of their own, as large as that of the means.
+    /// The laws of some photons share a level as large as that of all means.
     fn law_agrees(&self, law: &Kolmogorov) -> bool {
         law.p > self.report.level / self.laws.len() as f64
     }
@@ -210,6 +211,10 @@ fn scene_words(scene: &Scene, runs: u64) -> String {
         Layout::One => "strategy 1".to_owned(),
         Layout::Triangular => "strategy 2".to_owned(),
         Layout::Listing => "the listing's layout".to_owned(),
+        Layout::Sequence(counts) if counts.len() <= 8 => {
+            let counts: Vec<String> = counts.iter().map(u64::to_string).collect();
+            format!("shells of {}", counts.join(", "))
+        }
         Layout::Sequence(counts) => format!("{} shells", counts.len()),
     };
     let what = match scene.dimension {
@@ -226,6 +231,48 @@ fn scene_words(scene: &Scene, runs: u64) -> String {
     )
 }
 
+/// What the test of all means at once says.
+fn tested(text: &mut String, report: &Report) {
+    let _ = writeln!(
+        text,
+        "  {} means of k/U and of (k/U - 1)^2 tested, {} against theory; a false alarm has a chance of at most {:e}",
+        report.tests, report.contradictions, report.level
+    );
+    if let Some((worst, z)) = report.worst.and_then(|worst| Some((worst, worst.z?))) {
+        let _ = writeln!(
+            text,
+            "  farthest: k = {}, z = {}",
+            worst.k,
+            z_words(Some(z))
+        );
+    }
+    if !report.named.is_empty() {
+        let named: Vec<String> = report.named.iter().map(u64::to_string).collect();
+        let _ = writeln!(text, "  against theory: k = {}", named.join(", "));
+    }
+}
+
+/// What the sequential test says, whenever it was stopped.
+fn watched(text: &mut String, watch: &Watch, photons: &[u64]) {
+    let _ = writeln!(
+        text,
+        "  tested after every chunk of runs, stopped after {}; what is known of each mean then:",
+        watch.runs()
+    );
+    for (k, interval) in photons.iter().zip(watch.intervals()) {
+        let known = interval.map_or("nothing".to_owned(), |interval| {
+            let Interval { low, high } = interval;
+            format!(
+                "E - 1 between {} and {}, half a width of {:.1e}",
+                short(low),
+                short(high),
+                interval.half_width()
+            )
+        });
+        let _ = writeln!(text, "    k = {k}: {known}");
+    }
+}
+
 /// Rows of the table for people.
 const ROWS: usize = 16;
 
@@ -239,7 +286,7 @@ pub fn human(scene: &Scene, outcome: &Outcome) -> String {
         ..
     } = outcome;
     let mut text = scene_words(scene, sums.runs);
-    if *drawn > 0.0 {
+    if *drawn > 0.0 && *seconds > 0.01 {
         let _ = write!(
             text,
             "\n{drawn:.3e} photons drawn in {seconds:.2} s: {:.0} million a second",
@@ -252,44 +299,22 @@ pub fn human(scene: &Scene, outcome: &Outcome) -> String {
     };
     let _ = writeln!(text, "\n\n{}", paint(STRONG, says));
     match &outcome.watch {
-        Some(watch) => {
-            let _ = writeln!(
-                text,
-                "  tested after every chunk of runs, stopped after {}",
-                watch.runs()
-            );
-        }
-        None => {
-            let _ = writeln!(
-                text,
-                "  {} means of k/U and of (k/U - 1)^2 tested, {} against theory; a false alarm has a chance of at most {:e}",
-                report.tests, report.contradictions, report.level
-            );
-        }
-    }
-    if let Some(worst) = &report.worst {
-        let _ = writeln!(
-            text,
-            "  farthest: k = {}, z = {}",
-            worst.k,
-            z_words(worst.z)
-        );
-    }
-    if !report.named.is_empty() {
-        let named: Vec<String> = report.named.iter().map(u64::to_string).collect();
-        let _ = writeln!(text, "  against theory: k = {}", named.join(", "));
+        Some(watch) => watched(&mut text, watch, &outcome.sums.photons),
+        None => tested(&mut text, report),
     }
     let chi = &report.chi_square;
     let _ = writeln!(
         text,
-        "  one photon a shell: chi-square {:.1} of {} shells, score {:.2} (an approximation, for the eye)",
-        chi.value, chi.shells, chi.score
+        "  one photon a shell: chi-square {:.1} of {}, score {:.2} (an approximation, for the eye)",
+        chi.value,
+        counted(chi.shells as usize, "shell"),
+        chi.score
     );
     if report.weak_from_above > 0 {
         let photons = counted(report.weak_from_above as usize, "photon");
         let _ = writeln!(
             text,
-            "  {photons} without any volume inside: hardly tested for too large means"
+            "  {photons} without volume inside (Va = 0): means that are too large are hardly noticed there"
         );
     }
     for (k, law) in &outcome.laws {
@@ -308,7 +333,20 @@ pub fn human(scene: &Scene, outcome: &Outcome) -> String {
 }
 
 fn z_words(z: Option<f64>) -> String {
-    z.map_or("-".to_owned(), |z| format!("{z:.2}"))
+    match z {
+        None => "-".to_owned(),
+        Some(z) if z.abs() < 1e4 => format!("{z:.2}"),
+        Some(z) => format!("{z:.0e}"),
+    }
+}
+
+/// Seven digits, with a power of ten where that is shorter.
+fn short(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-3..1e7).contains(&size) => format!("{x:.6}"),
+        _ => format!("{x:.6e}"),
+    }
 }
 
 fn table(text: &mut String, rows: &[Row]) {
@@ -409,18 +447,18 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
         notes: vec![],
         panels: vec![
             panel(
-                "mean of k/U",
-                Scale::Linear,
+                "mean of k/U, less 1",
+                Scale::Log,
                 vec![
-                    simulated(&|row| row.mean, 1),
-                    theory(&|row| row.expected_mean),
+                    simulated(&|row| known(row.mean - 1.0, row.expected_mean)),
+                    theory(&|row| row.expected_mean - 1.0),
                 ],
             ),
             panel(
                 "variance of k/U",
                 Scale::Log,
                 vec![
-                    simulated(&|row| row.variance, 1),
+                    simulated(&|row| known(row.variance, row.expected_variance)),
                     theory(&|row| row.expected_variance),
                 ],
             ),

@@ -4,7 +4,9 @@
 //! Write the difference of the sides as a function D of the expectations v in it. Its estimate D(v') scatters, to first order,
 //! as the mean over the runs of `sum_i (dD/dv_i) psi_i`, psi being `x - mean` for a mean, `(x - mean)^2 - var` for a variance
 //! (the delta method; C. R. Rao, Linear Statistical Inference, 6a.2): from that comes the standard error, covariances and all.
-//! The z-value is an approximation and counts only where [`z`](super::verdict::z) says so. Nothing is proved by it.
+//! The z-value is an approximation and counts only where [`z`](super::verdict::z) says so of each expectation by itself (of two
+//! infinite ones, the difference may be tame) and of the whole, and where the sides do scatter apart by more than
+//! rounding and than what the first order leaves out. Nothing is proved by it.
 
 use super::law::Sampler;
 use super::stream::{Key, Single};
@@ -39,24 +41,40 @@ struct Experiment {
     right: Program,
 }
 
+/// The least standard error of the difference, over the larger side: rounding is some 10^-15 of that.
+const LEAST_ERROR: f64 = 1e-11;
+
+/// What is left out of the delta method may be so much of the standard error.
+const MOST_BEND: f64 = 0.1;
+
 /// Numbers that are drawn in all runs, at most: some tenths of a second.
 const MOST_DRAWN: u64 = 20_000_000;
 
 /// Numbers that the runs may hold together.
 const MOST_NUMBERS: u64 = 1 << 26;
 
-/// Simulates `left` and `right` at a point, over so many runs.
+/// How often, and with which random numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Draws {
+    pub runs: u64,
+    pub seed: u64,
+    /// Experiments with one seed and different numbers are independent.
+    pub number: u64,
+}
+
+/// Simulates `left` and `right` at a point.
 ///
 /// ```
 /// use claimcheck::evaluate::Context;
 /// use claimcheck::formula::{Budget, Draw, Law, Point, parse_formula};
-/// use claimcheck::simulate::simulate_relation;
+/// use claimcheck::simulate::{Draws, simulate_relation};
 /// let formula = |text| parse_formula(text).expect("a formula");
-/// let draws = [Draw { name: "x".into(), law: Law::Beta(formula("2"), formula("3")) }];
-/// let context = Context { point: &Point::default(), draws: &draws, budget: &Budget::new(100_000) };
-/// let right = simulate_relation(&formula("var(x)"), &formula("1/25"), &context, 20_000, 1)?;
+/// let laws = [Draw { name: "x".into(), law: Law::Beta(formula("2"), formula("3")) }];
+/// let context = Context { point: &Point::default(), draws: &laws, budget: &Budget::new(100_000) };
+/// let draws = Draws { runs: 20_000, seed: 1, number: 0 };
+/// let right = simulate_relation(&formula("var(x)"), &formula("1/25"), &context, draws)?;
 /// assert!(right.z.counts && right.z.z.abs() < 5.0);
-/// let wrong = simulate_relation(&formula("var(x)"), &formula("1/20"), &context, 20_000, 1)?;
+/// let wrong = simulate_relation(&formula("var(x)"), &formula("1/20"), &context, draws)?;
 /// assert!(wrong.z.z < -10.0);
 /// # Ok::<(), claimcheck::evaluate::Failure>(())
 /// ```
@@ -68,9 +86,9 @@ pub fn simulate_relation(
     left: &Formula,
     right: &Formula,
     context: &Context,
-    runs: u64,
-    seed: u64,
+    draws: Draws,
 ) -> Result<Simulated, Failure> {
+    let Draws { runs, seed, number } = draws;
     let experiment = Experiment::new(left, right, context)?;
     let cost: u64 = experiment.samplers.iter().map(Sampler::cost).sum();
     let kept = runs.saturating_mul(experiment.bodies.len() as u64);
@@ -79,7 +97,7 @@ pub fn simulate_relation(
     }
     let key = Key {
         seed,
-        chunk: 0,
+        chunk: number,
         photon: 0,
     };
     let values = experiment.run(key, runs)?;
@@ -133,55 +151,86 @@ impl Experiment {
         let samples: Vec<Sample> = values.iter().map(|values| sample(values)).collect();
         let both = self.bodies.iter().zip(&samples);
         let estimates: Vec<f64> = both.map(|(body, sample)| body.estimate(sample)).collect();
-        let difference = |v: &[f64]| self.left.value(v) - self.right.value(v);
-        // dD/dv by differences as wide as the estimates scatter: D is about linear there, or z means nothing.
-        let slope = |index: usize| {
-            let errors = self.influences(index, values, &samples[index], estimates[index]);
-            let width = sample(&errors)
-                .against(0.0)
-                .map_or(0.0, |z| z.standard_error);
-            let at = |step: f64| {
-                let mut moved = estimates.clone();
-                moved[index] += step;
-                difference(&moved)
-            };
-            match width > 0.0 {
-                true => (at(width) - at(-width)) / (2.0 * width),
-                false => 0.0,
-            }
+        let influences: Vec<Vec<f64>> = (0..values.len())
+            .map(|i| self.influences(i, &values[i], samples[i].mean(), estimates[i]))
+            .collect();
+        let errors: Vec<Option<Z>> = influences
+            .iter()
+            .map(|influences| sample(influences).against(0.0))
+            .collect();
+        let taylor = Taylor {
+            difference: &|v| self.left.value(v) - self.right.value(v),
+            middle: &estimates,
+            widths: errors
+                .iter()
+                .map(|z| z.map_or(0.0, |z| z.standard_error))
+                .collect(),
         };
-        let slopes: Vec<f64> = (0..estimates.len()).map(slope).collect();
-        let middle = difference(&estimates);
-        let mut scattered = vec![middle; values.first().map_or(0, Vec::len)];
-        for (index, slope) in slopes.iter().enumerate() {
-            let errors = self.influences(index, values, &samples[index], estimates[index]);
-            for (sum, error) in scattered.iter_mut().zip(errors) {
-                *sum += slope * error;
+        let mut scattered = vec![taylor.at(&[]); values.first().map_or(0, Vec::len)];
+        for (index, influences) in influences.iter().enumerate() {
+            let slope = taylor.slope(index);
+            for (sum, influence) in scattered.iter_mut().zip(influences) {
+                *sum += slope * influence;
             }
         }
-        let z = sample(&scattered)
+        let mut z = sample(&scattered)
             .against(0.0)
             .ok_or_else(|| unsupported("sides that do not scatter, or have no value"))?;
-        Ok(Simulated {
-            left: self.left.value(&estimates),
-            right: self.right.value(&estimates),
-            z,
-        })
+        let (left, right) = (self.left.value(&estimates), self.right.value(&estimates));
+        let rounding = LEAST_ERROR * left.abs().max(right.abs());
+        z.counts = z.counts
+            && z.standard_error > rounding
+            && taylor.bend() < MOST_BEND * z.standard_error
+            // What never varied may be rare, not constant.
+            && errors.iter().all(|error| error.is_some_and(|z| z.counts));
+        Ok(Simulated { left, right, z })
     }
 
     /// psi of each run: what it adds to the error of an estimate.
-    fn influences(
-        &self,
-        index: usize,
-        values: &[Vec<f64>],
-        sample: &Sample,
-        estimate: f64,
-    ) -> Vec<f64> {
-        let centred = values[index].iter().map(|value| value - sample.mean());
+    fn influences(&self, index: usize, values: &[f64], mean: f64, estimate: f64) -> Vec<f64> {
+        let centred = values.iter().map(|value| value - mean);
         match self.bodies[index] {
             Body::Variance(_) => centred.map(|x| x * x - estimate).collect(),
             Body::Mean(_) | Body::Probability(_) => centred.collect(),
         }
+    }
+}
+
+/// The difference of the sides around the estimates, as far out as these scatter.
+struct Taylor<'a> {
+    difference: &'a dyn Fn(&[f64]) -> f64,
+    middle: &'a [f64],
+    widths: Vec<f64>,
+}
+
+impl Taylor<'_> {
+    /// D with these estimates moved by these widths.
+    fn at(&self, moves: &[(usize, f64)]) -> f64 {
+        let mut moved = self.middle.to_vec();
+        for (index, step) in moves {
+            moved[*index] += step * self.widths[*index];
+        }
+        (self.difference)(&moved)
+    }
+
+    /// dD/dv
+    fn slope(&self, index: usize) -> f64 {
+        match self.widths[index] > 0.0 {
+            true => {
+                (self.at(&[(index, 1.0)]) - self.at(&[(index, -1.0)])) / (2.0 * self.widths[index])
+            }
+            false => 0.0,
+        }
+    }
+
+    /// The terms of second order: about what they shift the estimate of D by.
+    fn bend(&self) -> f64 {
+        let pairs = (0..self.middle.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let term = |(i, j): (usize, usize)| {
+            let both = self.at(&[(i, 1.0), (j, 1.0)]) + self.at(&[]);
+            (both - self.at(&[(i, 1.0)]) - self.at(&[(j, 1.0)])).abs()
+        };
+        pairs.map(term).sum()
     }
 }
 
@@ -195,7 +244,9 @@ impl Body {
     fn value(&self, drawn: &[f64]) -> f64 {
         match self {
             Body::Mean(program) | Body::Variance(program) => program.value(drawn),
-            Body::Probability(test) => f64::from(u8::from(test.holds(drawn))),
+            Body::Probability(test) => test
+                .holds(drawn)
+                .map_or(f64::NAN, |holds| f64::from(u8::from(holds))),
         }
     }
 
@@ -350,7 +401,12 @@ mod tests {
             draws: &draws,
             budget: &Budget::new(1_000_000),
         };
-        simulate_relation(&formula(left), &formula(right), &context, 20_000, 7)
+        let draws = super::Draws {
+            runs: 20_000,
+            seed: 7,
+            number: 0,
+        };
+        simulate_relation(&formula(left), &formula(right), &context, draws)
     }
 
     fn beta(a: &str, b: &str) -> Law {
@@ -414,5 +470,14 @@ mod tests {
         // Infinite variance: there is a z, but it does not count.
         let heavy = simulated("mean(x^(-3/5))", "5/2", &draws).expect("simulated");
         assert!(!heavy.z.counts);
+        // Infinite means whose difference is tame.
+        let both = simulated("mean(1/x + x)", "mean(1/x)", &draws).expect("simulated");
+        assert!(!both.z.counts);
+        // The same number of every run, but for rounding.
+        let same = simulated("var(x - 1/3)", "var(x)", &draws);
+        assert!(same.is_err() || same.is_ok_and(|same| !same.z.counts));
+        // The same but for n - 1: no scatter of first order.
+        let same = simulated("var(x)", "mean(x^2) - mean(x)^2", &draws).expect("simulated");
+        assert!(!same.z.counts);
     }
 }

@@ -5,6 +5,9 @@ use super::stream::Single;
 use crate::evaluate::{Context, Failure, Program, float};
 use crate::formula::{Formula, Law};
 
+/// How far the mass of a table may be from 1: far less than what any number of runs here tells apart.
+const MASS: f64 = 1e-5;
+
 /// Steps of the table of a density.
 const STEPS: u32 = 1 << 14;
 
@@ -123,7 +126,8 @@ impl Table {
             sum += (pair[0] + pair[1]) / 2.0 * step;
             cumulative.push(sum);
         }
-        (sum > 0.0).then_some(Table {
+        // A density has the mass 1; if the sum has not, it is none, or too steep for the table.
+        ((sum - 1.0).abs() < MASS).then_some(Table {
             from,
             step,
             density,

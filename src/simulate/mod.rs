@@ -44,7 +44,7 @@ pub mod verdict;
 mod visit;
 
 pub use checkpoint::{Checkpoint, CheckpointError};
-pub use claim::{Simulated, simulate_relation};
+pub use claim::{Draws, Simulated, simulate_relation};
 pub use scene::{Fault, Mode, Scene, SceneError};
 pub use sums::{OtherPhotons, Sums};
 

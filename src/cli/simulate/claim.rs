@@ -6,7 +6,7 @@ use super::super::setting::settings;
 use crate::book::IllTyped;
 use crate::corpus;
 use crate::evaluate::{Context, holds};
-use crate::formula::{Budget, Formula, Point, Proposition};
+use crate::formula::{Budget, Formula, Parameter, ParameterKind, Point, Proposition};
 use crate::judge::{Settings, simulate};
 use crate::report;
 use crate::report::simulate::Statement;
@@ -112,6 +112,14 @@ fn whole(point: &Point, proposition: &Proposition) -> Result<Point, Failure> {
             &message,
             Some(&format!("add {name}=... to --set")),
         ));
+    }
+    let fraction = proposition.parameters.iter().find(|parameter| {
+        let value = point.numbers.get(&parameter.name);
+        parameter.kind == ParameterKind::Integer && value.is_some_and(|value| !value.is_integer())
+    });
+    if let Some(Parameter { name, .. }) = fraction {
+        let message = format!("the parameter `{name}` is an integer");
+        return Err(Failure::input(&message, None));
     }
     let context = Context {
         point,

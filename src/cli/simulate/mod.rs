@@ -59,13 +59,19 @@ impl Simulate {
                 Some("write --level 1e-6"),
             ));
         }
+        if self.id.is_none() && !self.set.is_empty() {
+            return Err(Failure::input(
+                "--set belongs to a claim",
+                Some("name the claim"),
+            ));
+        }
         let json = self.format == Format::Json;
         match &self.id {
             Some(id) => claim::Asked {
                 id,
                 library: &self.library,
                 set: &self.set,
-                runs: self.runs.unwrap_or(CLAIM_RUNS),
+                runs: claim_runs(self.runs.unwrap_or(CLAIM_RUNS))?,
                 seed: self.seed,
                 level: self.level,
             }
@@ -79,5 +85,17 @@ impl Simulate {
                 json,
             }),
         }
+    }
+}
+
+/// Each run of a claim is kept until its mean is known.
+fn claim_runs(runs: u64) -> Result<u64, Failure> {
+    const MOST: u64 = 10_000_000;
+    match runs <= MOST {
+        true => Ok(runs),
+        false => Err(Failure::input(
+            "a claim is simulated in at most 10^7 runs",
+            None,
+        )),
     }
 }

@@ -109,16 +109,16 @@ impl Photons {
             .build()
             .map_err(|error| internal(&error.to_string()))?;
         let outcome = threads.install(|| self.outcome(&simulation, running))?;
+        to_stdout(&match running.json {
+            false => human(&scene, &outcome),
+            true => json(&scene, &outcome),
+        })?;
         if let Some(path) = &self.csv {
             write_file(path, &csv(&outcome))?;
         }
         if let Some(path) = &self.svg {
             write_file(path, &picture(&scene, &outcome))?;
         }
-        to_stdout(&match running.json {
-            false => human(&scene, &outcome),
-            true => json(&scene, &outcome),
-        })?;
         Ok(match outcome.agrees() {
             true => Exit::AsExpected,
             false => Exit::NotAsExpected,
@@ -127,13 +127,18 @@ impl Photons {
 
     fn outcome(&self, simulation: &Simulation, running: &Running) -> Result<Outcome, Failure> {
         let scene = simulation.scene();
+        // The tests of means and those of laws have half of the level each.
+        let level = match self.law.is_empty() {
+            true => running.level,
+            false => running.level / 2.0,
+        };
         let mut checkpoint = match &self.journal {
             Some(path) => Some(Checkpoint::open(path, simulation).map_err(unusable)?),
             None => None,
         };
         let before = checkpoint.as_ref().map_or(0, Checkpoint::runs);
         let mut watch = match self.until {
-            Some(width) => Some(self.watch(scene, width, running, before)?),
+            Some(width) => Some(self.watch(scene, width, level, before)?),
             None => None,
         };
         let bar = Bar::new(scene.runs as usize, "runs", running.quiet);
@@ -165,9 +170,9 @@ impl Photons {
             return Err(unknown(error));
         }
         let sums = sums.map_err(unusable)?;
-        let findings = verdict::battery::findings(&scene.layout, &sums, running.level);
+        let findings = verdict::battery::findings(&scene.layout, &sums, level);
         Ok(Outcome {
-            report: verdict::battery(&scene.layout, &sums, running.level).map_err(unknown)?,
+            report: verdict::battery(&scene.layout, &sums, level).map_err(unknown)?,
             findings: findings.map_err(unknown)?,
             drawn: simulation.drawn_a_run() as f64 * (sums.runs - before) as f64,
             laws: self.laws(simulation, &sums)?,
@@ -177,13 +182,7 @@ impl Photons {
         })
     }
 
-    fn watch(
-        &self,
-        scene: &Scene,
-        width: f64,
-        running: &Running,
-        before: u64,
-    ) -> Result<Watch, Failure> {
+    fn watch(&self, scene: &Scene, width: f64, level: f64, before: u64) -> Result<Watch, Failure> {
         if width.is_nan() || width <= 0.0 {
             return Err(Failure::input(
                 "a width is positive",
@@ -194,10 +193,10 @@ impl Photons {
             let hint = Some("leave out --journal, or --until");
             return Err(Failure::input("a watch begins with the first run", hint));
         }
-        let mut ks = self.k.clone();
+        let mut ks = [&self.k[..], &self.law].concat();
         ks.sort_unstable();
         ks.dedup();
-        Watch::new(&scene.layout, &ks, running.level).map_err(unknown)
+        Watch::new(&scene.layout, &ks, level).map_err(unknown)
     }
 
     /// Whether U of some photons has its law.
@@ -293,7 +292,7 @@ fn refused(error: SceneError) -> Failure {
     let hint = match error {
         SceneError::Shell { .. } => Some("ask for few photons with --k, drawn with --mode beta"),
         SceneError::NotSorted => Some("leave out --mode"),
-        SceneError::NoPhoton(_) => Some("name the last photon with --photons"),
+        SceneError::NoPhoton(_) => Some("photons go from 1 (of the listing from 2) to --photons"),
         _ => None,
     };
     Failure::input(&error.to_string(), hint)
