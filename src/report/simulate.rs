@@ -438,9 +438,12 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
         marks,
         look,
     };
-    let simulated =
-        |of: &dyn Fn(&Row) -> f64, look| series("simulated", Marks::Dots(points(of)), look);
+    let simulated = |of: &dyn Fn(&Row) -> f64| series("simulated", Marks::Dots(points(of)), 1);
     let theory = |of: &dyn Fn(&Row) -> f64| series("theory", Marks::Line(points(of)), 0);
+    // Where theory has no finite value a sample has one that means nothing.
+    let known = |value: f64, theory: f64| if theory.is_finite() { value } else { f64::NAN };
+    let least = critical(outcome.report.level / outcome.report.tests.max(1) as f64);
+    let line = |height: f64| Marks::Line(points(&|_| height));
     let z = |z: Option<f64>| z.unwrap_or(f64::NAN);
     let chart = Chart {
         title: scene_words(scene, outcome.sums.runs),
@@ -472,6 +475,9 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
                         Marks::Dots(points(&|row| z(row.z_fast))),
                         2,
                     ),
+                    series("", line(0.0), 0),
+                    series("contradicts, about", line(least), 5),
+                    series("", line(-least), 5),
                 ],
             ),
         ],
