@@ -204,7 +204,7 @@ impl Outcome {
 }
 
 /// What was drawn, in words.
-fn scene_words(scene: &Scene, runs: u64) -> String {
+pub(super) fn scene_words(scene: &Scene, runs: u64) -> String {
     let layout = match &scene.layout {
         Layout::Unstratified(_) => "no stratification".to_owned(),
         Layout::One => "strategy 1".to_owned(),
