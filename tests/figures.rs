@@ -74,7 +74,7 @@ fn data_agree_with_theory() {
     }
 
     let (heading, rows) = read(&out.join("figure-3.1.csv"));
-    assert_eq!(heading[4], "mean of k/U: mean, 100 runs");
+    assert_eq!(heading[4], "k/U: mean, 100 runs");
     assert_eq!(rows.len(), 149);
     for row in &rows {
         let [k, mean, one, run, simulated] = row[..] else {

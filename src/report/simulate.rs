@@ -221,8 +221,10 @@ pub(super) fn scene_words(scene: &Scene, runs: u64) -> String {
         Some(fault) => format!(", WITH THE FAULT {fault:?} ON PURPOSE"),
     };
     format!(
-        "{layout}, {} photons, {runs} runs, seed {}, {what}{fault}",
-        scene.photons, scene.seed
+        "{layout}, {} photons, {}, seed {}, {what}{fault}",
+        scene.photons,
+        counted(runs as usize, "run"),
+        scene.seed
     )
 }
 

@@ -42,7 +42,10 @@ impl Plot {
 pub(super) fn draw(chart: &Chart) -> String {
     let mut body = String::new();
     let mut y = 26.0;
-    text(&mut body, LEFT, y, "class=\"title\"", &chart.title);
+    for (number, line) in broken(&chart.title, 64).iter().enumerate() {
+        y += if number > 0 { LINE } else { 0.0 };
+        text(&mut body, LEFT, y, "class=\"title\"", line);
+    }
     for (number, panel) in chart.panels.iter().enumerate() {
         // Panels of the same thing have the same range.
         let alike = chart.panels.iter().filter(|other| other.x == panel.x);

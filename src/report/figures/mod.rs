@@ -33,7 +33,7 @@ use std::ops::ControlFlow;
 const QUICK_RUNS: u64 = 200;
 
 /// Where photons are thinned out, all are drawn up to this one.
-const NEAR: u64 = 150;
+const NEAR: u64 = 50;
 
 /// And then so many in a decade.
 const A_DECADE: u32 = 16;

@@ -9,6 +9,8 @@ use Photons::{All, Thinned};
 use What::{AroundOne, Excess, Mean, Score, Variance};
 
 const MEAN: &str = "mean of k/U";
+/// Of one run, or a mean.
+const VALUE: &str = "k/U";
 const EXCESS: &str = "mean of k/U, less 1";
 const VARIANCE: &str = "variance of k/U";
 const SCORE: &str = "standard errors from theory";
@@ -26,8 +28,9 @@ const SHIFTED: &str = "What it gives for k differs from photon k of strategy 2: 
 const CANCELS: &str = "The thesis's formula of the variance cancels: computed in doubles it keeps some eight digits at k = 1000, \
     more than can be seen here.";
 const THINNED: &str =
-    "Drawn are all photons to 150, beyond them some, each in the middle of its shell.";
-const SCORES: &str = "A standard error is the root of Var_k over the runs: some 95 of 100 marks should lie between -2 and 2.";
+    "Drawn are all photons to 50, beyond them some, each in the middle of its shell.";
+const SCORES: &str = "A standard error is the root of Var_k over the runs: some 95 of 100 marks should lie between -2 and 2. \
+    Neighbours in a shell vary together.";
 const RADII: &str = "Radii are drawn and U is r^d; each dimension has a seed of its own.";
 const AROUND: &str =
     "The fast method takes squares around the true value 1, and so comes to Var_k + (E_k - 1)^2.";
@@ -79,7 +82,7 @@ fn calculated() -> Vec<Figure> {
     vec![
         Figure {
             number: Number(2, 9),
-            title: "Expectation value of the estimate",
+            title: "Expectation Value of \u{ce}",
             notes: vec![LISTING, SHIFTED],
             panels: vec![
                 both(All(2, 1000), MEAN, Linear, "E_k"),
@@ -106,7 +109,7 @@ fn calculated() -> Vec<Figure> {
         },
         Figure {
             number: Number(2, 18),
-            title: "Comparison of the different approximations",
+            title: "Comparison of different the approximations",
             notes: vec![
                 "Lines are exact, marks are the approximations as printed: 2.91 and 2.93, 2.97 and 2.99, 2.103 and 2.105. \
                  Without stratification there are n = 100000 photons.",
@@ -124,7 +127,7 @@ fn calculated() -> Vec<Figure> {
                         line("strategy 2", Triangular, "E_k - 1"),
                         dots("1 + 1/k", One, "1/k"),
                         dots("1 + 1/(2k) + 1/(3k^2)", One, "1/(2*k) + 1/(3*k^2)"),
-                        dots("2.103", Triangular, EXCESS_EXPANDED),
+                        dots("expansion 2.103", Triangular, EXCESS_EXPANDED),
                     ],
                 ),
                 panel(
@@ -141,7 +144,7 @@ fn calculated() -> Vec<Figure> {
                         line("strategy 2", Triangular, "Var_k"),
                         dots("1/k", One, "1/k"),
                         dots("1/(12k^2)", One, "1/(12*k^2)"),
-                        dots("2.105", Triangular, VARIANCE_EXPANDED),
+                        dots("expansion 2.105", Triangular, VARIANCE_EXPANDED),
                     ],
                 ),
             ],
@@ -171,7 +174,7 @@ fn simulated_means() -> Vec<Figure> {
         panels: vec![panel(
             All(2, 150),
             [Linear, Linear],
-            MEAN,
+            VALUE,
             vec![
                 line("theory", layout(), "E_k"),
                 line("true value", layout(), "1"),
@@ -271,11 +274,11 @@ fn simulated_means() -> Vec<Figure> {
 
 /// The section on the variance.
 fn simulated_variances() -> Vec<Figure> {
-    let methods = |layout: fn() -> Layout, photons, seed| {
-        let scene = scene(layout(), photons, 10_000, seed);
+    let methods = |layout: fn() -> Layout, photons, along| {
+        let scene = scene(layout(), 1000, 10_000, 1);
         panel(
-            Thinned(2, photons),
-            [Log, Log],
+            photons,
+            [along, Log],
             VARIANCE,
             vec![
                 line("Var_k", layout(), "Var_k"),
@@ -334,7 +337,7 @@ fn simulated_variances() -> Vec<Figure> {
                         drawn("simulated", Excess, scene(One, 1000, 10_000, 1)),
                     ],
                 ),
-                methods(|| One, 1000, 1),
+                methods(|| One, Thinned(2, 1000), Log),
             ],
         },
         numbers(
@@ -353,8 +356,8 @@ fn simulated_variances() -> Vec<Figure> {
         Figure {
             number: Number(3, 13),
             title: "Comparison of different methods to calculate Variance",
-            notes: vec!["Strategy 2.", AROUND, THINNED],
-            panels: vec![methods(|| Triangular, 990, 1)],
+            notes: vec!["Strategy 2.", AROUND],
+            panels: vec![methods(|| Triangular, All(2, 100), Linear)],
         },
         basic(
             14,
@@ -402,11 +405,13 @@ fn means_and_scores(
     photons: u64,
     series: impl Fn(What) -> Vec<Series>,
 ) -> Vec<Panel> {
+    let mut scores = vec![line("theory", layout.clone(), "0")];
+    scores.extend(series(Score));
     let mut means = vec![line("theory", layout, "E_k")];
     means.extend(series(Mean));
     vec![
         panel(All(2, 150), [Linear, Linear], MEAN, means),
-        panel(Thinned(2, photons), [Log, Linear], SCORE, series(Score)),
+        panel(Thinned(2, photons), [Log, Linear], SCORE, scores),
     ]
 }
 
