@@ -2,6 +2,7 @@
 #![cfg(feature = "engine")]
 
 use claimcheck::model::Layout;
+use claimcheck::report::figures::figures;
 use claimcheck::special::shell::{Quantity, enclose_all};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,8 +33,11 @@ fn printed(output: &Output) -> String {
 fn read(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     let text = fs::read_to_string(path).expect("it was made");
     let mut lines = text.lines().skip_while(|line| line.starts_with('#'));
-    let heading = lines.next().expect("a heading").replace('"', "");
-    let heading: Vec<String> = heading.split(',').map(str::to_owned).collect();
+    // Every name but that of k is quoted.
+    let heading = lines.next().expect("a heading").split(",\"");
+    let heading: Vec<String> = heading
+        .map(|name| name.trim_end_matches('"').to_owned())
+        .collect();
     let number = |cell: &str| match cell {
         "" => f64::NAN,
         cell => cell.parse().expect("a number"),
@@ -49,6 +53,20 @@ fn theory(layout: &Layout, k: u64, quantity: Quantity) -> f64 {
     let shell = layout.shell(&k.into()).expect("a photon");
     let [value] = enclose_all([quantity], &shell, 20).expect("finite");
     value.midpoint().to_f64()
+}
+
+#[test]
+fn every_figure_stands_in_the_table_once() {
+    let numbers = |chapter, first: u8, last: u8| {
+        (first..=last).map(move |number| format!("{chapter}.{number}"))
+    };
+    let all = numbers(2, 9, 12)
+        .chain(numbers(2, 18, 21))
+        .chain(numbers(3, 1, 15));
+    let table = figures()
+        .into_iter()
+        .map(|figure| figure.number.to_string());
+    assert_eq!(table.collect::<Vec<_>>(), all.collect::<Vec<_>>());
 }
 
 #[test]
