@@ -42,7 +42,7 @@ impl Plot {
 pub(super) fn draw(chart: &Chart) -> String {
     let mut body = String::new();
     let mut y = 26.0;
-    for (number, line) in broken(&chart.title, 64).iter().enumerate() {
+    for (number, line) in broken(&chart.title, 70).iter().enumerate() {
         y += if number > 0 { LINE } else { 0.0 };
         text(&mut body, LEFT, y, "class=\"title\"", line);
     }
