@@ -4,6 +4,8 @@
 //! be told), 2 a usage or input error, 3 an internal fault.
 
 #[cfg(feature = "engine")]
+mod chart;
+#[cfg(feature = "engine")]
 mod check;
 #[cfg(feature = "engine")]
 mod errata;
@@ -56,6 +58,8 @@ enum Command {
     Report(report::Report),
     #[cfg(feature = "engine")]
     Simulate(simulate::Simulate),
+    #[cfg(feature = "engine")]
+    Chart(chart::Chart),
     Recheck(recheck::Recheck),
     /// A command that this build does not have.
     #[cfg(not(feature = "engine"))]
@@ -115,6 +119,7 @@ fn run(command: Command) -> Result<Exit, Failure> {
         Command::Probe(probe) => probe.run(),
         Command::Report(report) => report.run(),
         Command::Simulate(simulate) => simulate.run(),
+        Command::Chart(chart) => chart.run(),
         Command::Recheck(recheck) => recheck.run(),
     }
 }

@@ -76,6 +76,19 @@ pub(super) fn write_file(path: &std::path::Path, text: &str) -> Result<(), Failu
     })
 }
 
+/// Writes a file whole: a new one takes the place of the old one, so that nobody finds half of it.
+#[cfg(feature = "engine")]
+pub(super) fn replace_file(path: &std::path::Path, text: &str) -> Result<(), Failure> {
+    let part = path.with_added_extension("part");
+    write_file(&part, text)?;
+    std::fs::rename(&part, path).map_err(|error| {
+        Failure::input(
+            &format!("{} cannot be written: {error}", path.display()),
+            None,
+        )
+    })
+}
+
 /// Prints a report on stdout. A reader who has seen enough (`| head`) is no error.
 pub(super) fn to_stdout(text: &str) -> Result<(), Failure> {
     let mut stream = anstream::stdout().lock();

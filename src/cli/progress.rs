@@ -31,6 +31,11 @@ impl Bar {
         }
     }
 
+    /// Takes the bar away while something is printed.
+    pub(super) fn aside<T>(&self, print: impl FnOnce() -> T) -> T {
+        self.bar.suspend(print)
+    }
+
     pub(super) fn clear(&self) {
         self.bar.finish_and_clear();
     }

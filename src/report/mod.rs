@@ -12,6 +12,8 @@ mod style;
 #[cfg(feature = "engine")]
 pub mod errata;
 #[cfg(feature = "engine")]
+pub mod figures;
+#[cfg(feature = "engine")]
 pub mod html;
 #[cfg(feature = "engine")]
 pub mod human;

@@ -205,7 +205,7 @@ impl Outcome {
 }
 
 /// What was drawn, in words.
-fn scene_words(scene: &Scene, runs: u64) -> String {
+pub(super) fn scene_words(scene: &Scene, runs: u64) -> String {
     let layout = match &scene.layout {
         Layout::Unstratified(_) => "no stratification".to_owned(),
         Layout::One => "strategy 1".to_owned(),
@@ -226,8 +226,10 @@ fn scene_words(scene: &Scene, runs: u64) -> String {
         Some(fault) => format!(", WITH THE FAULT {fault:?} ON PURPOSE"),
     };
     format!(
-        "{layout}, {} photons, {runs} runs, seed {}, {what}{fault}",
-        scene.photons, scene.seed
+        "{layout}, {} photons, {}, seed {}, {what}{fault}",
+        scene.photons,
+        counted(runs as usize, "run"),
+        scene.seed
     )
 }
 

@@ -12,7 +12,7 @@ const RIGHT: f64 = 22.0;
 const HEIGHT: f64 = 300.0;
 const LINE: f64 = 19.0;
 /// Letters of the title.
-const TITLE: usize = 70;
+const TITLE: usize = 210;
 /// Letters of a name in the legend, and of a label along the upright axis.
 const LEGEND: usize = 84;
 const UPRIGHT: usize = 38;
@@ -47,19 +47,24 @@ impl Plot {
 pub(super) fn draw(chart: &Chart) -> String {
     let mut body = String::new();
     let mut y = 26.0;
-    text(
-        &mut body,
-        LEFT,
-        y,
-        "class=\"title\"",
-        &shortened(&chart.title, TITLE),
-    );
+    for (number, line) in broken(&shortened(&chart.title, TITLE), 70)
+        .iter()
+        .enumerate()
+    {
+        y += if number > 0 { LINE } else { 0.0 };
+        text(&mut body, LEFT, y, "class=\"title\"", line);
+    }
     for (number, panel) in chart.panels.iter().enumerate() {
-        // Panels over the same thing have the same range.
+        // Panels of the same thing have the same range.
         let alike = chart.panels.iter().filter(|other| other.x == panel.x);
         let along = alike.flat_map(corners).map(|[x, _]| x);
-        let x = Ruler::new(panel.x.scale, along);
-        y = draw_panel(&mut body, panel, x, number, y + 12.0);
+        let alike = chart.panels.iter().filter(|other| other.y == panel.y);
+        let upwards = alike.flat_map(corners).map(|[_, y]| y);
+        let rulers = [
+            Ruler::new(panel.x.scale, along),
+            Ruler::new(panel.y.scale, upwards),
+        ];
+        y = draw_panel(&mut body, panel, rulers, number, y + 12.0);
     }
     for note in &chart.notes {
         for line in broken(note, 112) {
@@ -85,9 +90,8 @@ fn corners(panel: &Panel) -> impl Iterator<Item = [f64; 2]> {
 }
 
 /// Returns where it ends.
-fn draw_panel(out: &mut String, panel: &Panel, x: Ruler, number: usize, top: f64) -> f64 {
+fn draw_panel(out: &mut String, panel: &Panel, [x, y]: [Ruler; 2], number: usize, top: f64) -> f64 {
     let top = draw_legend(out, &panel.series, top) + 8.0;
-    let y = Ruler::new(panel.y.scale, corners(panel).map(|[_, y]| y));
     let plot = Plot { top, x, y };
     let (right, bottom) = (WIDTH - RIGHT, top + HEIGHT);
     for tick in plot.x.ticks() {
