@@ -720,7 +720,7 @@ fn photons_are_simulated_and_faults_are_found() {
         (&["--k", "301"], "photon 301"),
         (&["--level", "2"], "between 0 and 1"),
         (&["--until", "1e-3"], "--k"),
-        (&["--mode", "beta", "--fault", "unsorted"], "Sorted"),
+        (&["--mode", "beta", "--fault", "unsorted"], "mode sorted"),
     ] {
         let seen = simulate(rest);
         assert_eq!(seen.code, Some(2), "{rest:?}: {}", seen.out);

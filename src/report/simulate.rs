@@ -129,6 +129,8 @@ pub struct Outcome {
     pub laws: Vec<(u64, Kolmogorov)>,
     /// The sequential test; it decides where there is one.
     pub watch: Option<Watch>,
+    /// To what the means were to be known.
+    pub width: Option<f64>,
     /// Photons drawn, and how long it took.
     pub drawn: f64,
     pub seconds: f64,
@@ -255,13 +257,18 @@ fn tested(text: &mut String, report: &Report) {
 }
 
 /// What the sequential test says, whenever it was stopped.
-fn watched(text: &mut String, watch: &Watch, photons: &[u64]) {
+fn watched(text: &mut String, watch: &Watch, outcome: &Outcome) {
+    let width = outcome.width.unwrap_or(f64::INFINITY);
+    let reached = match watch.is_precise(width) {
+        true => "known to",
+        false => "not yet known to",
+    };
     let _ = writeln!(
         text,
-        "  tested after every chunk of runs, stopped after {}; what is known of each mean then:",
+        "  tested after every chunk of runs, stopped after {}; the means are {reached} {width:e}:",
         watch.runs()
     );
-    for (k, interval) in photons.iter().zip(watch.intervals()) {
+    for (k, interval) in outcome.sums.photons.iter().zip(watch.intervals()) {
         let known = interval.map_or("nothing".to_owned(), |interval| {
             let Interval { low, high } = interval;
             format!(
@@ -301,7 +308,7 @@ pub fn human(scene: &Scene, outcome: &Outcome) -> String {
     };
     let _ = writeln!(text, "\n\n{}", paint(STRONG, says));
     match &outcome.watch {
-        Some(watch) => watched(&mut text, watch, &outcome.sums.photons),
+        Some(watch) => watched(&mut text, watch, outcome),
         None => tested(&mut text, report),
     }
     let chi = &report.chi_square;
@@ -390,7 +397,7 @@ pub fn json(scene: &Scene, outcome: &Outcome) -> String {
 
 /// One line a photon: estimates, theory, and z-values; empty where the variance in theory is infinite.
 pub fn csv(outcome: &Outcome) -> String {
-    let mut text = "k,mean,mean in theory,z,variance,variance in theory,mean of (k/U-1)^2,the same in theory,z\n".to_owned();
+    let mut text = "k,mean,mean in theory,z of the mean,variance,variance in theory,mean of (k/U-1)^2,the same in theory,z of that\n".to_owned();
     let z = |z: Option<f64>| z.map_or(String::new(), |z| format!("{z}"));
     for row in outcome.rows() {
         let _ = writeln!(

@@ -88,12 +88,12 @@ pub enum SceneError {
     Dimension(u32),
     /// A shell too large to be drawn in this way.
     #[error(
-        "a shell of {count} photons is too large to be drawn whole: at most {most}; draw few of its photons in the mode Beta"
+        "a shell of {count} photons is too large to be drawn whole: at most {most}; draw few of its photons in the mode beta"
     )]
     Shell { count: u64, most: u64 },
     /// This fault and this mode do not go together.
     #[error(
-        "photons are left unsorted, or sorted the wrong way, only where they are sorted: in the mode Sorted"
+        "photons are left unsorted, or sorted the wrong way, only where they are sorted: in the mode sorted"
     )]
     NotSorted,
     /// Too many samples.

@@ -179,6 +179,7 @@ impl Photons {
             sums,
             seconds,
             watch,
+            width: self.until,
         })
     }
 
