@@ -104,9 +104,10 @@ pub enum Error {
     /// All shells have one photon.
     #[error("shells of one photon are asked whole: there is nothing to sample")]
     NoSample,
-    /// Shells of one photon, or too many of them.
+    /// Too many shells.
     #[error("{0} shells are too many to be told of one by one")]
     Shells(u64),
+    /// Shells of one photon.
     #[error("each shell has one photon: there is nothing to tell of shells")]
     NoShells,
     /// No such chunk.
