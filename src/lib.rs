@@ -4,7 +4,7 @@
 //!
 //! A file imports only from floors below its own (`tests/floors.rs` sees to it):
 //!
-//! `cli > report > corpus > judge > prover > probe, simulate > evaluate > special > model > algebra > number >
+//! `cli > report > corpus > judge > prover > probe, simulate, measure > evaluate > special > model > algebra > number >
 //! kernel > book > formula`
 //!
 //! [`formula`], [`book`] and [`kernel`] use no C library and are trusted; the kernel imports
@@ -83,6 +83,8 @@ pub mod algebra;
 pub mod evaluate;
 #[cfg(feature = "engine")]
 pub mod judge;
+#[cfg(feature = "engine")]
+pub mod measure;
 #[cfg(feature = "engine")]
 pub mod model;
 #[cfg(feature = "engine")]

@@ -1,0 +1,174 @@
+use super::*;
+use crate::special::shell::Method;
+
+const COARSE: Grid = Grid {
+    columns: 23,
+    rows: 15,
+};
+
+fn map(name: &str) -> Map {
+    let mut all = maps().into_iter();
+    all.find(|map| map.name == name).expect("one of them")
+}
+
+/// The cells of a panel at a coarse grid, with the scenes behind them.
+fn panel(name: &str, quantity: Quantity, recipe: Recipe) -> Vec<(Vec<Scene>, Cell)> {
+    let mut map = map(name);
+    map.panels = vec![(quantity, recipe)];
+    let mut cells = vec![];
+    for column in 0..COARSE.columns {
+        let rows = map.column(COARSE, column).expect("there is a truth");
+        for (index, row) in rows.iter().enumerate() {
+            let scenes = places(COARSE, column, index as u32);
+            let scenes = scenes.map(|(x, y)| map.plane.scene(x, y)).collect();
+            cells.push((scenes, row.cells[0]));
+        }
+    }
+    cells
+}
+
+#[test]
+fn the_thesis_formula_loses_twice_the_digits_of_k() {
+    for (scenes, cell) in panel("photons-moments", Quantity::Variance, Recipe::Formula) {
+        let k = scenes[0].inner.log10();
+        match cell {
+            Cell::Lost(tenths) => {
+                let lost = f64::from(tenths) / 10.0;
+                assert!(lost > 2.0 * k - 1.5 && lost < 2.0 * k + 5.0, "{k} {lost}");
+            }
+            cell => assert!(cell == Cell::Wrong && k > 5.0, "{k} {cell}"),
+        }
+    }
+}
+
+#[test]
+fn what_is_certified_keeps_its_digits() {
+    for quantity in [Quantity::Excess, Quantity::Variance] {
+        for (scenes, cell) in panel("photons-moments", quantity, Recipe::Certified) {
+            // 28 units are 1.45 digits.
+            assert!(cell <= Cell::Lost(15), "{:?} {cell}", scenes[0]);
+        }
+    }
+}
+
+#[test]
+fn the_power_series_diverges_where_the_shell_is_thicker_than_what_it_holds() {
+    for (scenes, cell) in panel("arguments-function", Quantity::Function, Recipe::Direct) {
+        let ratio = |scene: &Scene| scene.volume / scene.inner;
+        if scenes.iter().all(|scene| ratio(scene) < 0.9) {
+            assert!(cell <= Cell::Lost(10), "{:?} {cell}", scenes[0]);
+        }
+        let few = |scene: &Scene| ratio(scene) > 2.0 && scene.count < 100.0;
+        if scenes.iter().any(few) {
+            assert!(cell == Cell::Divergence, "{:?} {cell}", scenes[0]);
+        }
+    }
+}
+
+#[test]
+fn series_of_one_sign_and_moments_lose_little_where_they_answer() {
+    for (recipe, answered) in [(Recipe::Pfaff, 300), (Recipe::Moments, 180)] {
+        let cells = panel("arguments-function", Quantity::Function, recipe);
+        let answers = cells.iter().filter(|(_, cell)| *cell <= Cell::Lost(159));
+        for (scenes, cell) in answers.clone() {
+            // Thousands of terms, each rounded.
+            assert!(*cell <= Cell::Lost(25), "{recipe:?} {:?} {cell}", scenes[0]);
+        }
+        assert!(answers.count() > answered, "{recipe:?}");
+    }
+}
+
+#[test]
+fn the_quadrature_has_nodes_enough_where_it_answers() {
+    for name in ["photons-function", "arguments-function"] {
+        let cells = panel(name, Quantity::Function, Recipe::Euler);
+        let answers = cells.iter().filter(|(_, cell)| *cell != Cell::Cost);
+        for (scenes, cell) in answers.clone() {
+            assert!(*cell <= Cell::Lost(30), "{:?} {cell}", scenes[0]);
+        }
+        assert!(answers.count() > 50);
+    }
+}
+
+#[test]
+fn the_closed_form_has_the_digits_that_cancellation_leaves() {
+    let mut seen = std::collections::BTreeSet::new();
+    for (scenes, cell) in panel("photons-function", Quantity::Function, Recipe::Closed) {
+        let (least, most) = (scenes[0].count.min(scenes[8].count), scenes[8].count);
+        match cell {
+            Cell::Lost(_) => assert!(least <= 40.0, "{:?} {cell}", scenes[0]),
+            Cell::Wrong => assert!(most >= 10.0),
+            Cell::Overflow => assert!(most >= 100.0),
+            Cell::Cost => assert!(most > 4096.0),
+            Cell::Refusal | Cell::Divergence => panic!("{:?} {cell}", scenes[0]),
+        }
+        seen.insert(
+            std::mem::discriminant(&cell)
+                .clone()
+                .eq(&std::mem::discriminant(&Cell::Wrong)),
+        );
+    }
+    assert_eq!(seen.len(), 2);
+}
+
+/// The cheapest method that the choice does not take first.
+fn second_truth(scene: &Scene) -> [Interval; 3] {
+    let quantities = [Quantity::Function, Quantity::Excess, Quantity::Variance];
+    let shell = scene.shell().expect("finite");
+    let (first, _) =
+        crate::special::shell::choose(Quantity::Variance, &shell, TRUTH).expect("a method");
+    let bits = |method: Method| method.bits_for(Quantity::Variance, &shell, TRUTH) + 64;
+    let mut others: Vec<Method> = Method::ALL
+        .into_iter()
+        .filter(|&method| method != first)
+        .collect();
+    others.sort_by(|a, b| {
+        a.estimate(&shell, bits(*a))
+            .total_cmp(&b.estimate(&shell, bits(*b)))
+    });
+    others
+        .into_iter()
+        .filter_map(|method| method.enclose_all(quantities, &shell, bits(method)).ok())
+        .find(|values| values.iter().all(|value| value.agrees_to(TRUTH)))
+        .expect("a second method answers")
+}
+
+#[test]
+fn a_second_method_has_the_same_cells() {
+    for map in maps() {
+        for column in (0..COARSE.columns).step_by(3) {
+            let rows = map.column(COARSE, column).expect("there is a truth");
+            for (index, row) in rows.iter().enumerate() {
+                let mut cells = vec![Cell::Lost(0); map.panels.len()];
+                for (x, y) in places(COARSE, column, index as u32) {
+                    let scene = map.plane.scene(x, y);
+                    for (worst, cell) in cells
+                        .iter_mut()
+                        .zip(map.cells(&scene, &second_truth(&scene)))
+                    {
+                        *worst = (*worst).max(cell);
+                    }
+                }
+                assert_eq!(cells, row.cells, "{} {:?}", map.name, row.at);
+            }
+        }
+    }
+}
+
+#[test]
+fn cells_are_read_as_they_are_written() {
+    let tenths = (0..=255).map(Cell::Lost);
+    let others = [
+        Cell::Refusal,
+        Cell::Cost,
+        Cell::Divergence,
+        Cell::Overflow,
+        Cell::Wrong,
+    ];
+    for cell in tenths.chain(others) {
+        assert_eq!(cell.to_string().parse(), Ok(cell));
+    }
+    for text in ["", "3", "1.23", "26.0", "x.1", "-1.0"] {
+        assert_eq!(text.parse::<Cell>(), Err(NoCell), "{text}");
+    }
+}

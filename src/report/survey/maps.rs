@@ -1,0 +1,367 @@
+//! The maps of where formulas in doubles fail.
+
+use super::super::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, Shade, Texture};
+use super::super::figures::Pace;
+use super::choice::Choice;
+use super::simulation::Runs;
+use super::{Error, Sheet, SheetError, Survey, Surveys};
+use crate::measure::plain::{MOST_STEPS, Recipe};
+use crate::measure::stability::{Cell, FINE, Grid, Map, Plane, maps};
+use crate::special::shell::Quantity;
+use std::fmt::Write;
+
+/// Of a full run: a cell is a pixel.
+const FULL: Grid = Grid {
+    columns: 230,
+    rows: 150,
+};
+const QUICK: Grid = Grid {
+    columns: 58,
+    rows: 38,
+};
+
+/// Digits lost that are one shade.
+const A_SHADE: u8 = 20;
+
+/// The surveys of `claimcheck chart stability`: the maps, the method that the choice takes, and simulation.
+pub fn stability(pace: Pace) -> Surveys {
+    let grid = grid(pace);
+    let maps = maps().into_iter().map(|map| Box::new(Failures { map, grid }) as Box<dyn Survey>);
+    let others: [Box<dyn Survey>; 2] = [Box::new(Choice { grid }), Box::new(Runs { pace })];
+    Surveys {
+        group: "stability",
+        heading: "Where methods fail",
+        pace,
+        all: maps.chain(others).collect(),
+    }
+}
+
+fn grid(pace: Pace) -> Grid {
+    match pace {
+        Pace::Full => FULL,
+        Pace::Quick => QUICK,
+    }
+}
+
+/// A map of digits lost.
+struct Failures {
+    map: Map,
+    grid: Grid,
+}
+
+/// E - 1 and so on, as in a panel's title.
+pub(super) fn quantity_words(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Function => "F",
+        Quantity::Mean => "E",
+        Quantity::Excess => "E \u{2212} 1",
+        Quantity::Variance => "Var",
+    }
+}
+
+/// The axes of a plane.
+pub(super) fn axes(plane: Plane) -> [Axis; 2] {
+    let axis = |label: &str, scale| Axis {
+        label: label.to_owned(),
+        scale,
+    };
+    match plane {
+        Plane::Photons => [
+            axis("photon k", Scale::Log),
+            axis("l/m", Scale::Linear),
+        ],
+        Plane::Arguments => [
+            axis("\u{2212}z = V/Va", Scale::Log),
+            axis("photons m", Scale::Log),
+        ],
+    }
+}
+
+/// The names of the columns that tell a place.
+fn places(plane: Plane) -> [&'static str; 2] {
+    match plane {
+        Plane::Photons => ["k", "l/m"],
+        Plane::Arguments => ["-z", "m"],
+    }
+}
+
+fn column_name((quantity, recipe): (Quantity, Recipe)) -> String {
+    let quantity = quantity_words(quantity).replace('\u{2212}', "-");
+    format!("{quantity}: {}", recipe.name())
+}
+
+fn panel_title((quantity, recipe): (Quantity, Recipe)) -> String {
+    format!("{}: {}", quantity_words(quantity), recipe.name())
+}
+
+fn shade(cell: Cell) -> Shade {
+    match cell {
+        Cell::Lost(tenths) => Shade::Level((tenths / A_SHADE).min(7)),
+        Cell::Refusal => Shade::None,
+        Cell::Cost => Shade::Texture(Texture::Dots),
+        Cell::Divergence => Shade::Texture(Texture::Rising),
+        Cell::Overflow => Shade::Texture(Texture::Vertical),
+        Cell::Wrong => Shade::Solid,
+    }
+}
+
+fn key() -> Vec<Key> {
+    let entry = |name: &str, shade| Key {
+        name: name.to_owned(),
+        shade,
+    };
+    let levels = (0..8u8).map(|level| {
+        let from = level * A_SHADE / 10;
+        let name = match level {
+            0 => "0\u{2013}2 digits lost".to_owned(),
+            _ => format!("{from}\u{2013}{}", from + 2),
+        };
+        entry(&name, Shade::Level(level))
+    });
+    let others = [
+        ("wrong: no digit right", Cell::Wrong),
+        ("overflow", Cell::Overflow),
+        ("diverges", Cell::Divergence),
+        ("over 10,000 steps", Cell::Cost),
+        ("outside its domain", Cell::Refusal),
+    ];
+    let others = others.map(|(name, cell)| entry(name, shade(cell)));
+    levels.chain(others).collect()
+}
+
+impl Failures {
+    fn cells(&self, sheet: &Sheet, panel: (Quantity, Recipe)) -> Result<Vec<Cell>, SheetError> {
+        sheet.column(&column_name(panel), |cell| cell.parse().ok())
+    }
+}
+
+impl Survey for Failures {
+    fn name(&self) -> String {
+        format!("stability-{}", self.map.name)
+    }
+
+    fn title(&self) -> String {
+        let what = match self.map.panels.first() {
+            Some((Quantity::Function, _)) => "F = 2F1(1, l; m+1; \u{2212}V/Va)",
+            _ => "E \u{2212} 1 and Var of k/U",
+        };
+        let plane = match self.map.plane {
+            Plane::Photons => "over the photons of strategy 2",
+            Plane::Arguments => "over z and m, in the middle of a shell",
+        };
+        format!("Digits that {what} loses in doubles, {plane}")
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let scenes = FINE * FINE;
+        let plane = match self.map.plane {
+            Plane::Photons => "Photon k is the l-th of m in its shell, V = m, Va = m(m-1)/2.",
+            Plane::Arguments => "One shell with V = m around Va = \u{2212}m/z, l = m/2 rounded up.",
+        };
+        vec![format!(
+            "Each cell is the worst of {scenes} scenes; digits of the 15.95 of a correctly rounded double, against enclosures to 25 digits. {plane} \
+             A recipe stops after {MOST_STEPS} steps."
+        )]
+    }
+
+    fn columns(&self) -> Vec<String> {
+        let places = places(self.map.plane).map(str::to_owned);
+        let panels = self.map.panels.iter().copied().map(column_name);
+        places.into_iter().chain(panels).collect()
+    }
+
+    fn units(&self) -> usize {
+        self.grid.columns as usize
+    }
+
+    fn side_by_side(&self) -> bool {
+        true
+    }
+
+    fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
+        let rows = self.map.column(self.grid, unit as u32)?;
+        let texts = rows.iter().map(|row| {
+            let [x, y] = row.at;
+            let places = [format!("{x:.5e}"), format!("{y:.4}")];
+            let cells = row.cells.iter().map(ToString::to_string);
+            places.into_iter().chain(cells).collect()
+        });
+        Ok(texts.collect())
+    }
+
+    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError> {
+        let panels = self.map.panels.iter().map(|&panel| {
+            let cells = self.cells(sheet, panel)?;
+            let shades: Vec<Shade> = cells.into_iter().map(shade).collect();
+            Ok(map_panel(
+                panel_title(panel),
+                self.map.plane,
+                shades,
+                self.grid,
+            ))
+        });
+        Ok(Chart {
+            title: String::new(),
+            notes: vec![],
+            columns: 3,
+            key: key(),
+            panels: panels.collect::<Result<_, _>>()?,
+        })
+    }
+
+    fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
+        let mut text = match self.map.plane {
+            Plane::Photons => "Along the photons of strategy 2, to the right the shells grow thin: Va becomes much larger than V. ",
+            Plane::Arguments => "To the right the shell grows thick: V becomes much larger than Va; upwards it holds more photons. ",
+        }
+        .to_owned();
+        let _ = writeln!(
+            text,
+            "Pale is good; black cells hold numbers without one right digit, given without a warning.\n\n\
+             | formula in doubles | digits lost where it answers: median, most | no right digit | overflow | diverges | too many steps | outside |\n\
+             |---|---|---|---|---|---|---|"
+        );
+        for &panel in &self.map.panels {
+            let cells = self.cells(sheet, panel)?;
+            let _ = writeln!(text, "| {} | {}", panel_title(panel), tally(&cells));
+        }
+        text += "\nThe last five columns are percent of all cells.\n\n";
+        text += &self.findings(sheet)?;
+        Ok(text)
+    }
+}
+
+/// A map as a panel: cells are given column by column, from the bottom.
+pub(super) fn map_panel(title: String, plane: Plane, columns: Vec<Shade>, grid: Grid) -> Panel {
+    let [x, y] = axes(plane);
+    let [across, upwards] = plane.ends();
+    Panel {
+        title,
+        x,
+        y,
+        series: vec![Series {
+            name: String::new(),
+            look: 0,
+            marks: Marks::Cells(Cells {
+                x: across,
+                y: upwards,
+                columns: grid.columns as usize,
+                cells: by_rows(&columns, grid),
+            }),
+        }],
+    }
+}
+
+/// Cells row by row from those column by column.
+pub(super) fn by_rows(columns: &[Shade], grid: Grid) -> Vec<Shade> {
+    let (across, up) = (grid.columns as usize, grid.rows as usize);
+    let at = |row: usize, column: usize| columns.get(column * up + row).copied();
+    (0..up)
+        .flat_map(|row| (0..across).map(move |column| at(row, column).unwrap_or(Shade::None)))
+        .collect()
+}
+
+/// Median and most digits lost, and the percentages of what is no number or a wrong one.
+fn tally(cells: &[Cell]) -> String {
+    let mut lost: Vec<u8> = cells.iter().filter_map(|cell| digits(*cell)).collect();
+    lost.sort_unstable();
+    let digits = match (lost.get(lost.len() / 2), lost.last()) {
+        (Some(median), Some(most)) => format!("{}, {}", Cell::Lost(*median), Cell::Lost(*most)),
+        _ => "none".to_owned(),
+    };
+    let share = |of: Cell| {
+        let count = cells.iter().filter(|cell| **cell == of).count();
+        percent(count, cells.len())
+    };
+    let shares = [
+        Cell::Wrong,
+        Cell::Overflow,
+        Cell::Divergence,
+        Cell::Cost,
+        Cell::Refusal,
+    ]
+    .map(share);
+    format!("{digits} | {} |", shares.join(" | "))
+}
+
+fn digits(cell: Cell) -> Option<u8> {
+    match cell {
+        Cell::Lost(tenths) => Some(tenths),
+        _ => None,
+    }
+}
+
+/// 0 where there is none, and never 0 or 100 where there is one, or not all are.
+pub(super) fn percent(count: usize, all: usize) -> String {
+    match 100.0 * count as f64 / all.max(1) as f64 {
+        _ if count == 0 => "0".to_owned(),
+        _ if count == all => "100".to_owned(),
+        share if share < 0.05 => "< 0.1".to_owned(),
+        share if share > 99.95 => "> 99.9".to_owned(),
+        share => format!("{share:.1}"),
+    }
+}
+
+impl Failures {
+    /// For each panel where the digits go: a sentence by decades along x.
+    fn findings(&self, sheet: &Sheet) -> Result<String, SheetError> {
+        let [along, _] = places(self.map.plane);
+        let x = sheet.numbers(along)?;
+        let mut text = String::new();
+        for &panel in &self.map.panels {
+            let cells = self.cells(sheet, panel)?;
+            let _ = writeln!(text, "- {}: {}.", panel_title(panel), course(&x, &cells, along));
+        }
+        Ok(text)
+    }
+}
+
+/// What most cells of each decade are, as a course: neighbours that are alike are told together.
+fn course(x: &[f64], cells: &[Cell], along: &str) -> String {
+    let decade = |x: f64| x.log10().floor() as i32;
+    let mut decades: Vec<i32> = x.iter().copied().map(decade).collect();
+    decades.dedup();
+    let mut parts: Vec<(i32, i32, String)> = vec![];
+    for at in decades {
+        let own: Vec<Cell> = x
+            .iter()
+            .zip(cells)
+            .filter(|(x, _)| decade(**x) == at)
+            .map(|(_, cell)| *cell)
+            .collect();
+        let words = middle(own);
+        match parts.last_mut() {
+            Some((_, to, last)) if *last == words => *to = at + 1,
+            _ => parts.push((at, at + 1, words)),
+        }
+    }
+    let told = parts.iter().map(|(from, to, words)| {
+        format!("{words} for {along} from {} to {}", power(*from), power(*to))
+    });
+    told.collect::<Vec<_>>().join("; ")
+}
+
+fn power(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        exponent => format!("10^{exponent}"),
+    }
+}
+
+/// The median of cells, in words: digits lost come before failures.
+fn middle(mut cells: Vec<Cell>) -> String {
+    cells.sort_unstable();
+    match cells.get(cells.len() / 2) {
+        None => "nothing".to_owned(),
+        Some(Cell::Lost(tenths)) => match f64::from(*tenths) / 10.0 {
+            lost if lost < 2.0 => "most cells lose less than 2 digits".to_owned(),
+            lost => format!("half of the cells lose {} digits or more", lost.floor()),
+        },
+        Some(Cell::Refusal) => "it refuses half or more".to_owned(),
+        Some(Cell::Cost) => "half or more need too many steps".to_owned(),
+        Some(Cell::Divergence) => "half or more diverge".to_owned(),
+        Some(Cell::Overflow) => "half or more overflow".to_owned(),
+        Some(Cell::Wrong) => "half or more have no right digit".to_owned(),
+    }
+}

@@ -1,0 +1,150 @@
+//! Measurements as charts: rows first, then a picture and words from the rows alone.
+//!
+//! A [`Survey`] is measured unit by unit; its rows are a [`Sheet`], that is a CSV file. Picture and words are functions of the sheet, so that
+//! every number in them stands there, and a sheet on disk can be drawn again. [`accuracy`] and [`stability`] have the surveys of
+//! `claimcheck chart accuracy` and `claimcheck chart stability`.
+
+mod accuracy;
+mod choice;
+mod cost;
+mod machine;
+mod maps;
+mod sheet;
+mod simulation;
+
+pub use accuracy::{Rivals, RivalsError, accuracy, count_calls};
+pub use maps::stability;
+pub use sheet::{Sheet, SheetError};
+
+use super::chart::Chart;
+use super::figures::Pace;
+use crate::simulate::{CheckpointError, SceneError};
+use crate::special::shell::ShellError;
+
+/// Something to measure, and how it is shown.
+pub trait Survey: Sync {
+    /// The name of its files, without an ending.
+    fn name(&self) -> String;
+
+    /// The title of the picture.
+    fn title(&self) -> String;
+
+    /// What a reader must know, below the picture.
+    fn notes(&self) -> Vec<String>;
+
+    /// The names of the columns.
+    fn columns(&self) -> Vec<String>;
+
+    /// How many parts are measured one by one; each is kept once it is done.
+    fn units(&self) -> usize;
+
+    /// Whether units may be measured at the same time: not where time is measured.
+    fn side_by_side(&self) -> bool;
+
+    /// The rows of a unit.
+    ///
+    /// # Errors
+    /// [`Error`]
+    fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error>;
+
+    /// The picture, but for title and notes.
+    ///
+    /// # Errors
+    /// Where the sheet is not one of this survey.
+    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError>;
+
+    /// What it shows, as paragraphs of Markdown.
+    ///
+    /// # Errors
+    /// Where the sheet is not one of this survey.
+    fn words(&self, sheet: &Sheet) -> Result<String, SheetError>;
+}
+
+/// The surveys of one command.
+pub struct Surveys {
+    /// `accuracy` or `stability`
+    pub group: &'static str,
+    /// The heading of the page of words.
+    pub heading: &'static str,
+    pub pace: Pace,
+    pub all: Vec<Box<dyn Survey>>,
+}
+
+/// Why nothing could be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// No truth to compare with.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
+    /// A scene that cannot be simulated.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A simulation that stopped.
+    #[error(transparent)]
+    Run(#[from] CheckpointError),
+    /// Two certified methods contradict each other.
+    #[error("{0} contradict each other")]
+    Contradiction(String),
+}
+
+impl Surveys {
+    /// The command, with the program's version.
+    pub fn command(&self) -> String {
+        let quick = match self.pace {
+            Pace::Full => "",
+            Pace::Quick => " --quick",
+        };
+        format!(
+            "claimcheck {}: claimcheck chart {}{quick} --out .",
+            env!("CARGO_PKG_VERSION"),
+            self.group
+        )
+    }
+
+    /// An empty sheet of a survey, headed by what it is, by which command, on which machine.
+    pub fn sheet(&self, survey: &dyn Survey) -> Sheet {
+        Sheet::new(
+            vec![survey.title(), self.command(), machine::words()],
+            survey.columns(),
+        )
+    }
+
+    /// The picture of a sheet, as SVG.
+    ///
+    /// # Errors
+    /// Where the sheet is not one of this survey.
+    pub fn draw(&self, survey: &dyn Survey, sheet: &Sheet) -> Result<String, SheetError> {
+        let mut heading = sheet.notes().iter().cloned();
+        let title = heading.next().unwrap_or_default();
+        let chart = survey.picture(sheet)?;
+        Ok(Chart {
+            title,
+            notes: survey.notes().into_iter().chain(heading).collect(),
+            ..chart
+        }
+        .to_svg())
+    }
+
+    /// The page of words: a section each survey, with its picture.
+    ///
+    /// # Errors
+    /// Where a sheet is not one of its survey.
+    pub fn page(&self, sheets: &[Sheet]) -> Result<String, SheetError> {
+        let mut page = format!("# {}\n", self.heading);
+        for (survey, sheet) in self.all.iter().zip(sheets) {
+            let (title, name) = (survey.title(), survey.name());
+            let words = survey.words(sheet)?;
+            page += &format!("\n## {title}\n\n![{title}]({name}.svg)\n\n{words}\n");
+            page += &format!("\nData: [{name}.csv]({name}.csv).\n");
+        }
+        if let Some(sheet) = sheets.first() {
+            let [_, command, machine] = [0, 1, 2].map(|i| sheet.notes().get(i).cloned());
+            let made = [command, machine].into_iter().flatten().collect::<Vec<_>>();
+            page += &format!("\nMade by `{}`.\n", made.join("`, on "));
+        }
+        Ok(page)
+    }
+}
+
+#[cfg(test)]
+mod tests;
