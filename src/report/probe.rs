@@ -249,6 +249,8 @@ pub fn picture(probe: &Probe, summary: &Summary) -> String {
             question.first, question.last, question.layout
         ),
         notes: vec![drawn.legend(summary), command(question)],
+        columns: 1,
+        key: vec![],
         panels,
     };
     chart.to_svg()
@@ -437,20 +439,14 @@ impl<'a> Drawn<'a> {
         };
         let heights: Vec<f64> = series
             .iter()
-            .flat_map(|series| match &series.marks {
-                Marks::Line(points) | Marks::Dots(points) => {
-                    points.iter().map(|[_, y]| *y).collect::<Vec<f64>>()
-                }
-                Marks::Boxes(boxes) => boxes
-                    .iter()
-                    .flat_map(|[_, _, low, high]| [*low, *high])
-                    .collect(),
-            })
+            .flat_map(|series| series.marks.corners())
+            .map(|[_, y]| y)
             .filter(|y| y.is_finite())
             .collect();
         let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
         let greatest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Panel {
+            title: String::new(),
             x: Axis {
                 label: "photon k".into(),
                 scale: far(first as f64, last as f64),

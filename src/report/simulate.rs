@@ -432,6 +432,7 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
         false => Scale::Linear,
     };
     let panel = |label: &str, scale, series| Panel {
+        title: String::new(),
         x: Axis {
             label: "photon k".to_owned(),
             scale: x,
@@ -457,6 +458,8 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
     let chart = Chart {
         title: scene_words(scene, outcome.sums.runs),
         notes: vec![],
+        columns: 1,
+        key: vec![],
         panels: vec![
             panel(
                 "mean of k/U, less 1",

@@ -26,12 +26,24 @@ pub(super) enum Label {
     None,
 }
 
-/// Ticks with a label, about.
-const TICKS: f64 = 7.0;
+/// What is left free at either end of an axis, as a share of it.
+const ROOM: f64 = 0.03;
+
+/// A tick so little beyond an end lies on it.
+const SLACK: f64 = 1e-9;
 
 impl Ruler {
     /// Holds all the values that the scale can show, with a little room.
     pub(super) fn new(scale: Scale, values: impl Iterator<Item = f64>) -> Ruler {
+        Ruler::with_room(scale, values, ROOM)
+    }
+
+    /// Ends at the least and the greatest of the values that the scale can show.
+    pub(super) fn exact(scale: Scale, values: impl Iterator<Item = f64>) -> Ruler {
+        Ruler::with_room(scale, values, 0.0)
+    }
+
+    fn with_room(scale: Scale, values: impl Iterator<Item = f64>, share: f64) -> Ruler {
         let shown = |x: &f64| x.is_finite() && (scale == Scale::Linear || *x > 0.0);
         let ends = values.filter(shown).fold(None, |ends, x| match ends {
             None => Some((x, x)),
@@ -44,7 +56,7 @@ impl Ruler {
         };
         let room = match to - from {
             0.0 => from.abs().max(1.0) * 0.05,
-            width => width * 0.03,
+            width => width * share,
         };
         Ruler {
             scale,
@@ -64,26 +76,27 @@ impl Ruler {
         place.is_finite().then_some(place)
     }
 
-    pub(super) fn ticks(&self) -> Vec<Tick> {
+    /// Those with a label are about so many.
+    pub(super) fn ticks(&self, count: f64) -> Vec<Tick> {
         let mut ticks = match self.scale {
-            Scale::Linear => even(self.from, self.to),
+            Scale::Linear => even(self.from, self.to, count),
             Scale::Log if self.to - self.from < 1.5 => {
                 // Round numbers, where powers of ten are too few.
-                even(10f64.powf(self.from), 10f64.powf(self.to))
+                even(10f64.powf(self.from), 10f64.powf(self.to), count)
             }
-            Scale::Log => powers(self.from, self.to),
+            Scale::Log => powers(self.from, self.to, count),
         };
         ticks.retain(|tick| {
             self.place(tick.value)
-                .is_some_and(|place| (0.0..=1.0).contains(&place))
+                .is_some_and(|place| (-SLACK..=1.0 + SLACK).contains(&place))
         });
         ticks
     }
 }
 
 /// Multiples of 1, 2 or 5 times a power of ten.
-fn even(from: f64, to: f64) -> Vec<Tick> {
-    let rough = (to - from) / TICKS;
+fn even(from: f64, to: f64, count: f64) -> Vec<Tick> {
+    let rough = (to - from) / count;
     let power = rough.log10().floor();
     let unit = 10f64.powf(power);
     let factor = [1.0, 2.0, 5.0, 10.0]
@@ -98,9 +111,9 @@ fn even(from: f64, to: f64) -> Vec<Tick> {
     let places = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
     let largest = from.abs().max(to.abs());
     let digits = ((largest / step).log10().floor().max(0.0) as usize + 1).min(17);
-    let first = (from / step).ceil();
-    let count = ((to / step).floor() - first).clamp(0.0, 100.0) as u32;
-    (0..=count)
+    let first = (from / step - SLACK).ceil();
+    let steps = ((to / step + SLACK).floor() - first).clamp(0.0, 100.0) as u32;
+    (0..=steps)
         .map(|index| {
             let value = (first + f64::from(index)) * step;
             Tick {
@@ -125,9 +138,9 @@ fn plain(value: f64, places: usize, digits: usize) -> String {
 }
 
 /// Powers of ten, not too many of them, with minor ticks between neighbours where there is room.
-fn powers(from: f64, to: f64) -> Vec<Tick> {
-    let (first, last) = (from.ceil() as i32, to.floor() as i32);
-    let step = (f64::from(last - first) / TICKS).ceil().max(1.0) as i32;
+fn powers(from: f64, to: f64, count: f64) -> Vec<Tick> {
+    let (first, last) = ((from - SLACK).ceil() as i32, (to + SLACK).floor() as i32);
+    let step = (f64::from(last - first) / count).ceil().max(1.0) as i32;
     let mut ticks: Vec<Tick> = (first..=last)
         .filter(|power| power.rem_euclid(step) == 0)
         .map(|power| Tick {

@@ -1,26 +1,57 @@
-//! Charts as SVG: panels one below the other, each with two axes and some series.
+//! Charts as SVG: panels below or beside one another, each with two axes and some series or a map.
 //!
 //! Series differ by dash and by the shape of their marks as well as by colour (the palette of Okabe and Ito, Color
-//! Universal Design, 2008), so that a chart can be read in black and white and by the colour-blind. Drawn for a
-//! width of 800 pixels. The same chart is the same bytes everywhere.
+//! Universal Design, 2008), so that a chart can be read in black and white and by the colour-blind; so do the shades
+//! of a map, by lightness and texture ([`Shade`]). Drawn for a width of 800 pixels. The same chart is the same bytes
+//! everywhere.
+//!
+//! Panels in one column have a legend each. Panels side by side share one, where each name stands once with the look
+//! of its first series. There the label of an upright axis is left of the first panel of a row, and over a panel that has
+//! another one than its neighbour; the label of a level axis is below the last panel of a column, and below a panel that
+//! has another one than the next.
 //!
 //! ```
-//! use claimcheck::report::chart::{Axis, Chart, Marks, Panel, Scale, Series};
+//! use claimcheck::report::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, Shade};
+//! let axis = |label: &str, scale| Axis { label: label.into(), scale };
 //! let squares = (1..=10).map(|x| [f64::from(x), f64::from(x * x)]).collect();
+//! let map = Cells {
+//!     x: [0.0, 2.0],
+//!     y: [1.0, 10.0],
+//!     columns: 2,
+//!     cells: vec![Shade::Level(0), Shade::Level(0), Shade::Level(1), Shade::Solid],
+//! };
+//! let panel = |title: &str, scale, marks| Panel {
+//!     title: title.into(),
+//!     x: axis("x", Scale::Linear),
+//!     y: axis("y", scale),
+//!     series: vec![Series { name: title.into(), marks, look: 0 }],
+//! };
 //! let chart = Chart {
-//!     title: "Squares".into(),
+//!     title: "A curve and a map".into(),
 //!     notes: vec![],
-//!     panels: vec![Panel {
-//!         x: Axis { label: "x".into(), scale: Scale::Linear },
-//!         y: Axis { label: "x^2".into(), scale: Scale::Log },
-//!         series: vec![Series { name: "squares".into(), marks: Marks::Line(squares), look: 0 }],
-//!     }],
+//!     columns: 2,
+//!     key: vec![Key { name: "none".into(), shade: Shade::Solid }],
+//!     panels: vec![
+//!         panel("squares", Scale::Linear, Marks::Line(squares)),
+//!         panel("cells", Scale::Log, Marks::Cells(map)),
+//!     ],
 //! };
 //! assert!(chart.to_svg().starts_with("<svg "));
 //! ```
 
 mod axis;
+mod cells;
+mod grid;
+mod legend;
+mod marks;
+mod plot;
+mod shade;
 mod svg;
+mod text;
+mod ticks;
+
+pub use cells::Cells;
+pub use shade::{Key, Shade, Texture};
 
 /// A picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,12 +59,18 @@ pub struct Chart {
     pub title: String,
     /// Small lines at the foot: the command, the machine, what a reader must know.
     pub notes: Vec<String>,
+    /// Panels side by side: 1, 2 or 3 (0 counts as 1, more as 3).
+    pub columns: usize,
+    /// What the shades of cells mean; drawn once, above the panels.
+    pub key: Vec<Key>,
     pub panels: Vec<Panel>,
 }
 
 /// Two axes and what is drawn between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
+    /// Above the plot; none if empty.
+    pub title: String,
     pub x: Axis,
     pub y: Axis,
     pub series: Vec<Series>,
@@ -72,17 +109,30 @@ pub enum Marks {
     Dots(Vec<[f64; 2]>),
     /// x from, x to, y from, y to: from each to the next a box.
     Boxes(Vec<[f64; 4]>),
+    /// x, y: a line with a mark at each of its points.
+    Chain(Vec<[f64; 2]>),
+    /// x, y: a broad pale line behind all series of the panel, from point to point.
+    Front(Vec<[f64; 2]>),
+    /// x, y: large open rings around points, above all series of the panel: what is chosen.
+    Rings(Vec<[f64; 2]>),
+    /// A map, below all else. The panel's axes end at its edges. Not in the legend: the chart's key tells its shades.
+    Cells(Cells),
 }
 
 impl Marks {
     /// The corners of all that is drawn.
-    fn corners(&self) -> Vec<[f64; 2]> {
+    pub(super) fn corners(&self) -> Vec<[f64; 2]> {
         match self {
-            Marks::Line(points) | Marks::Dots(points) => points.clone(),
+            Marks::Line(points)
+            | Marks::Dots(points)
+            | Marks::Chain(points)
+            | Marks::Front(points)
+            | Marks::Rings(points) => points.clone(),
             Marks::Boxes(boxes) => boxes
                 .iter()
                 .flat_map(|[a, b, c, d]| [[*a, *c], [*b, *d]])
                 .collect(),
+            Marks::Cells(cells) => cells.corners().to_vec(),
         }
     }
 }

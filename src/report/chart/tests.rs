@@ -8,7 +8,10 @@ fn chart(scale: Scale, points: Vec<[f64; 2]>) -> String {
     Chart {
         title: "a < b & c".into(),
         notes: vec!["word ".repeat(60)],
+        columns: 1,
+        key: vec![],
         panels: vec![Panel {
+            title: String::new(),
             x: axis("x", scale),
             y: axis("y", scale),
             series: vec![

@@ -181,6 +181,8 @@ impl Figure {
         let chart = Chart {
             title: self.heading(),
             notes: self.all_notes(pace),
+            columns: 1,
+            key: vec![],
             panels,
         };
         Ok(Made {
@@ -222,6 +224,7 @@ impl Panel {
         let series = self.series.iter().enumerate();
         let series = series.map(|(look, series)| series.make(look, self.photons, pace));
         Ok(chart::Panel {
+            title: String::new(),
             x: axis("photon k", self.along),
             y: axis(self.label, self.scale),
             series: series.collect::<Result<_, _>>()?,
