@@ -30,6 +30,8 @@ pub mod sarif;
 #[cfg(feature = "engine")]
 pub mod simulate;
 #[cfg(feature = "engine")]
+pub mod survey;
+#[cfg(feature = "engine")]
 mod tally;
 #[cfg(feature = "engine")]
 mod typeset;

@@ -8,6 +8,7 @@ use super::{Error, Sheet, SheetError, Survey, Surveys};
 use crate::measure::plain::{MOST_STEPS, Recipe};
 use crate::measure::stability::{Cell, FINE, Grid, Map, Plane, maps};
 use crate::special::shell::Quantity;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Of a full run: a cell is a pixel.
@@ -16,9 +17,17 @@ const FULL: Grid = Grid {
     rows: 150,
 };
 const QUICK: Grid = Grid {
-    columns: 58,
-    rows: 38,
+    columns: 115,
+    rows: 75,
 };
+
+const FAILURES: [Cell; 5] = [
+    Cell::Wrong,
+    Cell::Overflow,
+    Cell::Divergence,
+    Cell::Cost,
+    Cell::Refusal,
+];
 
 /// Digits lost that are one shade.
 const A_SHADE: u8 = 20;
@@ -26,12 +35,15 @@ const A_SHADE: u8 = 20;
 /// The surveys of `claimcheck chart stability`: the maps, the method that the choice takes, and simulation.
 pub fn stability(pace: Pace) -> Surveys {
     let grid = grid(pace);
-    let maps = maps().into_iter().map(|map| Box::new(Failures { map, grid }) as Box<dyn Survey>);
-    let others: [Box<dyn Survey>; 2] = [Box::new(Choice { grid }), Box::new(Runs { pace })];
+    let maps = maps()
+        .into_iter()
+        .map(|map| Box::new(Failures { map, grid }) as Box<dyn Survey>);
+    let others: [Box<dyn Survey>; 2] = [Box::new(Choice::new(grid)), Box::new(Runs { pace })];
     Surveys {
         group: "stability",
         heading: "Where methods fail",
         pace,
+        options: String::new(),
         all: maps.chain(others).collect(),
     }
 }
@@ -66,10 +78,7 @@ pub(super) fn axes(plane: Plane) -> [Axis; 2] {
         scale,
     };
     match plane {
-        Plane::Photons => [
-            axis("photon k", Scale::Log),
-            axis("l/m", Scale::Linear),
-        ],
+        Plane::Photons => [axis("photon k", Scale::Log), axis("l/m", Scale::Linear)],
         Plane::Arguments => [
             axis("\u{2212}z = V/Va", Scale::Log),
             axis("photons m", Scale::Log),
@@ -132,6 +141,37 @@ fn key() -> Vec<Key> {
 impl Failures {
     fn cells(&self, sheet: &Sheet, panel: (Quantity, Recipe)) -> Result<Vec<Cell>, SheetError> {
         sheet.column(&column_name(panel), |cell| cell.parse().ok())
+    }
+}
+
+impl Failures {
+    /// What is to be seen, and why it is so: nothing that depends on a number measured.
+    fn lesson(&self) -> &'static str {
+        let function = matches!(self.map.panels.first(), Some((Quantity::Function, _)));
+        match (self.map.plane, function) {
+            (Plane::Photons, true) => {
+                "From left to right k grows, and with it the shell: the shells grow thin, Va becomes much larger than V. From bottom to top one goes from the first \
+                 photon of a shell to its last. Both series, the moments and the relation from the middle are good wherever they end. The power series crawls in the \
+                 first shell shown, where z = -1. The relation from an end of the shell loses digits on its way to the middle and wins them back towards the \
+                 other end; so it is good along one edge or two, and long shells are too many steps. In the closed form a and b ln(1 + V/Va) cancel to \
+                 more digits than a double has; then they overflow. Euler's integral needs about as many nodes as the shell has photons."
+            }
+            (Plane::Photons, false) => {
+                "The same plane, for what the thesis is after. Its formula takes the correctly rounded F, the best that any F in doubles can be, and still loses the digits of \
+                 k in E - 1 and twice as many in Var, since 2.102 and 2.104 cancel. Pfaff's series for x = mean((Va+V)/U) - 1 loses half of that; E - 1 at the first \
+                 photons of a shell, where (l-V)/A + (k/A) x cancels. The central moments, and the certified doubles, which rest on them, lose nothing that \
+                 grows with k."
+            }
+            (Plane::Arguments, true) => {
+                "From left to right the shell grows thick: at the left z is near 0, at the right V is much larger than Va. From bottom to top it holds more photons. The power \
+                 series has its border at z = -1, but for many photons its first terms fall so fast that it ends before they grow. Pfaff's series converges everywhere, \
+                 more and more slowly to the right. The moments refuse where the shell is too thick. The closed form is good for few photons, and for the more the thicker \
+                 the shell is."
+            }
+            (Plane::Arguments, false) => {
+                "E - 1 and Var over the same plane. Where the shell is thin, 2.104 cancels, for few photons as for many; the moments do not."
+            }
+        }
     }
 }
 
@@ -210,23 +250,19 @@ impl Survey for Failures {
     }
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
-        let mut text = match self.map.plane {
-            Plane::Photons => "Along the photons of strategy 2, to the right the shells grow thin: Va becomes much larger than V. ",
-            Plane::Arguments => "To the right the shell grows thick: V becomes much larger than Va; upwards it holds more photons. ",
-        }
-        .to_owned();
-        let _ = writeln!(
-            text,
-            "Pale is good; black cells hold numbers without one right digit, given without a warning.\n\n\
-             | formula in doubles | digits lost where it answers: median, most | no right digit | overflow | diverges | too many steps | outside |\n\
-             |---|---|---|---|---|---|---|"
+        let mut text = format!(
+            "{}\n\nPale is good. A black cell holds a number without one right digit, given without a warning.\n\n\
+             | formula in doubles | digits lost where one is right: median, most | wrong, % of cells | overflow | diverges | steps | refused |\n\
+             |---|---|---|---|---|---|---|\n",
+            self.lesson()
         );
         for &panel in &self.map.panels {
             let cells = self.cells(sheet, panel)?;
             let _ = writeln!(text, "| {} | {}", panel_title(panel), tally(&cells));
         }
-        text += "\nThe last five columns are percent of all cells.\n\n";
-        text += &self.findings(sheet)?;
+        text += "\nBy decades: the median of the digits lost where at least half of the cells have a right digit, else the most common failure \
+             and its share of the cells.\n\n";
+        text += &self.by_decades(sheet)?;
         Ok(text)
     }
 }
@@ -273,14 +309,7 @@ fn tally(cells: &[Cell]) -> String {
         let count = cells.iter().filter(|cell| **cell == of).count();
         percent(count, cells.len())
     };
-    let shares = [
-        Cell::Wrong,
-        Cell::Overflow,
-        Cell::Divergence,
-        Cell::Cost,
-        Cell::Refusal,
-    ]
-    .map(share);
+    let shares = FAILURES.map(share);
     format!("{digits} | {} |", shares.join(" | "))
 }
 
@@ -303,42 +332,34 @@ pub(super) fn percent(count: usize, all: usize) -> String {
 }
 
 impl Failures {
-    /// For each panel where the digits go: a sentence by decades along x.
-    fn findings(&self, sheet: &Sheet) -> Result<String, SheetError> {
+    /// A row each panel, a column each decade along x.
+    fn by_decades(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let [along, _] = places(self.map.plane);
-        let x = sheet.numbers(along)?;
-        let mut text = String::new();
+        let decade = |x: &f64| x.log10().floor() as i32;
+        let decades: Vec<i32> = sheet.numbers(along)?.iter().map(decade).collect();
+        let all: BTreeSet<i32> = decades.iter().copied().collect();
+        let heads = all
+            .iter()
+            .map(|at| format!("{}\u{2013}{}", power(*at), power(at + 1)));
+        let mut text = format!(
+            "| {along} | {} |\n|---|{}\n",
+            heads.collect::<Vec<_>>().join(" | "),
+            "---|".repeat(all.len())
+        );
         for &panel in &self.map.panels {
             let cells = self.cells(sheet, panel)?;
-            let _ = writeln!(text, "- {}: {}.", panel_title(panel), course(&x, &cells, along));
+            let cell = |at: &i32| {
+                let own = decades
+                    .iter()
+                    .zip(&cells)
+                    .filter(|(decade, _)| *decade == at);
+                typical(own.map(|(_, cell)| *cell).collect())
+            };
+            let row: Vec<String> = all.iter().map(cell).collect();
+            let _ = writeln!(text, "| {} | {} |", panel_title(panel), row.join(" | "));
         }
         Ok(text)
     }
-}
-
-/// What most cells of each decade are, as a course: neighbours that are alike are told together.
-fn course(x: &[f64], cells: &[Cell], along: &str) -> String {
-    let decade = |x: f64| x.log10().floor() as i32;
-    let mut decades: Vec<i32> = x.iter().copied().map(decade).collect();
-    decades.dedup();
-    let mut parts: Vec<(i32, i32, String)> = vec![];
-    for at in decades {
-        let own: Vec<Cell> = x
-            .iter()
-            .zip(cells)
-            .filter(|(x, _)| decade(**x) == at)
-            .map(|(_, cell)| *cell)
-            .collect();
-        let words = middle(own);
-        match parts.last_mut() {
-            Some((_, to, last)) if *last == words => *to = at + 1,
-            _ => parts.push((at, at + 1, words)),
-        }
-    }
-    let told = parts.iter().map(|(from, to, words)| {
-        format!("{words} for {along} from {} to {}", power(*from), power(*to))
-    });
-    told.collect::<Vec<_>>().join("; ")
 }
 
 fn power(exponent: i32) -> String {
@@ -349,19 +370,18 @@ fn power(exponent: i32) -> String {
     }
 }
 
-/// The median of cells, in words: digits lost come before failures.
-fn middle(mut cells: Vec<Cell>) -> String {
-    cells.sort_unstable();
-    match cells.get(cells.len() / 2) {
-        None => "nothing".to_owned(),
-        Some(Cell::Lost(tenths)) => match f64::from(*tenths) / 10.0 {
-            lost if lost < 2.0 => "most cells lose less than 2 digits".to_owned(),
-            lost => format!("half of the cells lose {} digits or more", lost.floor()),
-        },
-        Some(Cell::Refusal) => "it refuses half or more".to_owned(),
-        Some(Cell::Cost) => "half or more need too many steps".to_owned(),
-        Some(Cell::Divergence) => "half or more diverge".to_owned(),
-        Some(Cell::Overflow) => "half or more overflow".to_owned(),
-        Some(Cell::Wrong) => "half or more have no right digit".to_owned(),
+/// The median of the digits lost where at least half of the cells have a right digit; else the most common failure with its share.
+fn typical(cells: Vec<Cell>) -> String {
+    let mut lost: Vec<u8> = cells.iter().filter_map(|cell| digits(*cell)).collect();
+    lost.sort_unstable();
+    if let Some(median) = lost.get(lost.len() / 2)
+        && 2 * lost.len() >= cells.len()
+    {
+        return Cell::Lost(*median).to_string();
     }
+    let count = |of: Cell| cells.iter().filter(|cell| **cell == of).count();
+    let most = FAILURES.into_iter().max_by_key(|failure| count(*failure));
+    most.map_or(String::new(), |failure| {
+        format!("{failure} {} %", percent(count(failure), cells.len()))
+    })
 }

@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod choice;
-mod cost;
 mod machine;
 mod maps;
 mod sheet;
@@ -67,6 +66,8 @@ pub struct Surveys {
     /// The heading of the page of words.
     pub heading: &'static str,
     pub pace: Pace,
+    /// Of the command, beside `--quick`.
+    options: String,
     pub all: Vec<Box<dyn Survey>>,
 }
 
@@ -95,18 +96,20 @@ impl Surveys {
             Pace::Quick => " --quick",
         };
         format!(
-            "claimcheck {}: claimcheck chart {}{quick} --out .",
+            "claimcheck {}: claimcheck chart {}{quick}{} --out .",
             env!("CARGO_PKG_VERSION"),
-            self.group
+            self.group,
+            self.options
         )
     }
 
-    /// An empty sheet of a survey, headed by what it is, by which command, on which machine.
+    /// An empty sheet of a survey, headed by what it is, what a reader must know, by which command it was made, on which machine.
     pub fn sheet(&self, survey: &dyn Survey) -> Sheet {
-        Sheet::new(
-            vec![survey.title(), self.command(), machine::words()],
-            survey.columns(),
-        )
+        let made = [self.command(), machine::words()];
+        let notes = std::iter::once(survey.title())
+            .chain(survey.notes())
+            .chain(made);
+        Sheet::new(notes.collect(), survey.columns())
     }
 
     /// The picture of a sheet, as SVG.
@@ -114,12 +117,12 @@ impl Surveys {
     /// # Errors
     /// Where the sheet is not one of this survey.
     pub fn draw(&self, survey: &dyn Survey, sheet: &Sheet) -> Result<String, SheetError> {
-        let mut heading = sheet.notes().iter().cloned();
-        let title = heading.next().unwrap_or_default();
+        let mut notes = sheet.notes().iter().cloned();
+        let title = notes.next().unwrap_or_default();
         let chart = survey.picture(sheet)?;
         Ok(Chart {
             title,
-            notes: survey.notes().into_iter().chain(heading).collect(),
+            notes: notes.collect(),
             ..chart
         }
         .to_svg())
@@ -137,10 +140,8 @@ impl Surveys {
             page += &format!("\n## {title}\n\n![{title}]({name}.svg)\n\n{words}\n");
             page += &format!("\nData: [{name}.csv]({name}.csv).\n");
         }
-        if let Some(sheet) = sheets.first() {
-            let [_, command, machine] = [0, 1, 2].map(|i| sheet.notes().get(i).cloned());
-            let made = [command, machine].into_iter().flatten().collect::<Vec<_>>();
-            page += &format!("\nMade by `{}`.\n", made.join("`, on "));
+        if let Some([.., command, machine]) = sheets.first().map(Sheet::notes) {
+            page += &format!("\nMade by `{command}` on: {machine}.\n");
         }
         Ok(page)
     }

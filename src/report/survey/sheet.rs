@@ -44,7 +44,10 @@ impl Sheet {
     pub fn new(notes: Vec<String>, columns: Vec<String>) -> Sheet {
         let clean = |texts: Vec<String>| texts.iter().map(|text| cleaned(text)).collect();
         Sheet {
-            notes: notes.iter().map(|note| note.replace(['\n', '\r'], " ")).collect(),
+            notes: notes
+                .iter()
+                .map(|note| note.replace(['\n', '\r'], " "))
+                .collect(),
             columns: clean(columns),
             rows: vec![],
         }
@@ -117,7 +120,10 @@ impl Sheet {
         name: &str,
         read: impl Fn(&str) -> Option<T>,
     ) -> Result<Vec<T>, SheetError> {
-        let index = self.columns.iter().position(|column| column == name);
+        let index = self
+            .columns
+            .iter()
+            .position(|column| *column == cleaned(name));
         let index = index.ok_or_else(|| SheetError::NoColumn(name.to_owned()))?;
         let cell = |(number, row): (usize, &Vec<String>)| {
             read(&row[index]).ok_or_else(|| SheetError::Cell {

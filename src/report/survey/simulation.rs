@@ -1,0 +1,196 @@
+//! Simulation as a method: digits against photons drawn.
+
+use super::super::chart::{Axis, Chart, Marks, Panel, Scale, Series};
+use super::super::figures::Pace;
+use super::{Error, Sheet, SheetError, Survey};
+use crate::model::Layout;
+use crate::simulate::{Scene, Simulation};
+use crate::special::shell::{Quantity, ShellError, enclose_all};
+use std::fmt::Write;
+use std::ops::ControlFlow;
+
+/// Photons of strategy 2: the smallest, and each in the middle of its shell.
+const PHOTONS: [u64; 4] = [5, 5000, 1_000_405, 1_000_000_000_405];
+
+/// Runs are raised so many times by the root of ten, from a hundred on.
+const STEPS: [i32; 2] = [6, 10];
+
+/// Each number of runs is drawn with so many seeds.
+const SEEDS: u64 = 21;
+
+pub(super) struct Runs {
+    pub(super) pace: Pace,
+}
+
+impl Runs {
+    fn steps(&self) -> usize {
+        let [quick, full] = STEPS;
+        let last = match self.pace {
+            Pace::Quick => quick,
+            Pace::Full => full,
+        };
+        last as usize + 1
+    }
+}
+
+fn runs(step: usize) -> u64 {
+    10f64.powf(2.0 + step as f64 / 2.0).round() as u64
+}
+
+/// E - 1 and Var as doubles, off by less than a last bit.
+fn theory(k: u64) -> Result<[f64; 2], ShellError> {
+    let shell = Layout::Triangular
+        .shell(&k.into())
+        .ok_or(ShellError::NoShell)?;
+    let values = enclose_all([Quantity::Excess, Quantity::Variance], &shell, 20)?;
+    Ok(values.map(|value| value.midpoint().to_f64()))
+}
+
+/// -log10 of the relative error, 0 where it is larger than 1, to two places.
+fn digits(value: f64, truth: f64) -> f64 {
+    let error = ((value - truth) / truth).abs();
+    ((-error.log10()).clamp(0.0, 15.0) * 100.0).round() / 100.0
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+const COLUMNS: [&str; 6] = [
+    "k",
+    "runs",
+    "photons drawn",
+    "E-1: digits right",
+    "E-1: digits by theory",
+    "Var: digits right",
+];
+
+impl Survey for Runs {
+    fn name(&self) -> String {
+        "stability-simulation".to_owned()
+    }
+
+    fn title(&self) -> String {
+        "Simulation as a method: digits against photons drawn".to_owned()
+    }
+
+    fn notes(&self) -> Vec<String> {
+        vec![format!(
+            "Strategy 2, U alone, drawn in the cheapest way; each mark is the median of {SEEDS} seeds. Broad lines: theory, the median error of a mean being 0.6745 \
+             standard errors."
+        )]
+    }
+
+    fn columns(&self) -> Vec<String> {
+        COLUMNS.map(str::to_owned).to_vec()
+    }
+
+    fn units(&self) -> usize {
+        PHOTONS.len() * self.steps()
+    }
+
+    fn side_by_side(&self) -> bool {
+        true
+    }
+
+    fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
+        let k = PHOTONS[unit / self.steps() % PHOTONS.len()];
+        let runs = runs(unit % self.steps());
+        let [excess, variance] = theory(k)?;
+        let (mut of_excess, mut of_variance, mut drawn) = (vec![], vec![], 0);
+        for seed in 1..=SEEDS {
+            let simulation = Simulation::new(Scene {
+                only: Some(vec![k]),
+                ..Scene::new(Layout::Triangular, k, runs, seed)
+            })?;
+            drawn = simulation.drawn_a_run() * runs;
+            let sums = simulation.run(None, |_| ControlFlow::Continue(()))?;
+            of_excess.push(digits(sums.excess(0), excess));
+            of_variance.push(digits(sums.variance(0), variance));
+        }
+        // The median of |x| for a standard normal x.
+        let error = 0.6745 * (variance / runs as f64).sqrt();
+        Ok(vec![vec![
+            k.to_string(),
+            runs.to_string(),
+            drawn.to_string(),
+            median(&mut of_excess).to_string(),
+            digits(excess + error, excess).to_string(),
+            median(&mut of_variance).to_string(),
+        ]])
+    }
+
+    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError> {
+        let axis = |label: &str, scale| Axis {
+            label: label.to_owned(),
+            scale,
+        };
+        let panel = |title: &str, right: &str, theory: Option<&str>| {
+            let mut series = vec![];
+            for (look, k) in PHOTONS.into_iter().enumerate() {
+                if let Some(theory) = theory {
+                    series.push(Series {
+                        name: "theory".to_owned(),
+                        marks: Marks::Front(points(sheet, k, theory)?),
+                        look: 0,
+                    });
+                }
+                series.push(Series {
+                    name: format!("photon {k}"),
+                    marks: Marks::Chain(points(sheet, k, right)?),
+                    look,
+                });
+            }
+            Ok(Panel {
+                title: title.to_owned(),
+                x: axis("photons drawn", Scale::Log),
+                y: axis("digits right", Scale::Linear),
+                series,
+            })
+        };
+        Ok(Chart {
+            title: String::new(),
+            notes: vec![],
+            columns: 2,
+            key: vec![],
+            panels: vec![
+                panel("E \u{2212} 1", COLUMNS[3], Some(COLUMNS[4]))?,
+                panel("Var", COLUMNS[5], None)?,
+            ],
+        })
+    }
+
+    fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
+        let mut text = "A digit more costs a hundred times the photons. The variance has the same digits for every photon; those of E - 1 get fewer as k grows, \
+             since the bias falls faster than the spread. A formula has all of a double's digits in the time of a few photons.\n\n\
+             | photon | photons drawn at most | digits of E - 1 | by theory | digits of Var |\n|---|---|---|---|---|\n"
+            .to_owned();
+        for k in PHOTONS {
+            let last = |column: &str| Ok(points(sheet, k, column)?.last().copied());
+            let of = |column: &str| {
+                let value = last(column)?.map_or(String::new(), |[_, y]| y.to_string());
+                Ok::<String, SheetError>(value)
+            };
+            let drawn = last(COLUMNS[3])?.map_or(f64::NAN, |[x, _]| x);
+            let _ = writeln!(
+                text,
+                "| {k} | {drawn:.1e} | {} | {} | {} |",
+                of(COLUMNS[3])?,
+                of(COLUMNS[4])?,
+                of(COLUMNS[5])?
+            );
+        }
+        Ok(text)
+    }
+}
+
+/// A column of one photon over the photons drawn.
+fn points(sheet: &Sheet, k: u64, column: &str) -> Result<Vec<[f64; 2]>, SheetError> {
+    let photons = sheet.column("k", |cell| cell.parse::<u64>().ok())?;
+    let drawn = sheet.numbers(COLUMNS[2])?;
+    let values = sheet.numbers(column)?;
+    let rows = photons.into_iter().zip(drawn).zip(values);
+    let own = rows.filter(|((photon, _), _)| *photon == k);
+    Ok(own.map(|((_, x), y)| [x, y]).collect())
+}
