@@ -1,8 +1,8 @@
-/* E_k and Var_k of strategy 2 with PARI/GP: hypergeom with guard digits (2.104 loses 2 log10 k of them), then formula 2.104.
+/* E_k and Var_k of strategy 2 with PARI/GP: hypergeom with guard digits, then formula 2.104, which loses 2 log10 k of them.
 
      echo 'tool_version()' | gp -q -f -s 256M pari.gp
-     echo 'tool_points([K,K,...], [D,D,...])' | gp -q -f -s 256M pari.gp     lines: point JOB K D SECONDS VALUE   (JOB: E, V)
-
+     echo 'tool_points([K,K,...], [D,D,...])' | gp -q -f -s 256M pari.gp
+   lines: point JOB K D SECONDS VALUE   (JOB: E or V).
    Seconds are time by the clock of a call, best of several rounds; the clock counts milliseconds, so that a round
    takes at least 30. Where hypergeom raises there is no line. */
 
@@ -41,7 +41,8 @@ seconds(job, k, digits) = {
 text(number, digits) = strjoin(strsplit(strprintf(Str("%.", digits, "e"), number), " "));
 
 tool_point(job, k, digits) = {iferr(
-  print(strjoin(["point", job, k, digits, text(seconds(job, k, digits), 3), text(guarded(job, k, digits), digits + 5)], " ")),
+  my(cost = text(seconds(job, k, digits), 3), answer = text(guarded(job, k, digits), digits + 5));
+  print(strjoin(["point", job, k, digits, cost, answer], " ")),
   error, warning("no value: ", job, " ", k, " ", digits, " ", error))};
 
 tool_points(photons, targets) = {

@@ -1,4 +1,7 @@
-"""Finds, builds and runs the tools that are compared. A tool that is not there is None, after a message that says how to get it."""
+"""Finds, builds and runs the tools that are compared.
+
+A tool that is not there is None, after a message that says how to get it.
+"""
 
 import decimal
 import os
@@ -62,9 +65,9 @@ def build_doubles(folder, name, how, before, after):
 
 
 def package(name, script, *words, module=None):
-    """A script that needs a package of Python."""
+    """A script that needs a package of Python, and the words it takes."""
     if subprocess.run([sys.executable, "-c", f"import {module or name}"], capture_output=True).returncode:
-        return skipped(" ".join([name, *words]), f"pip install {name}")
+        return skipped(" ".join(words) or name, f"pip install {name}")
     return [sys.executable, str(HERE / script), *words]
 
 
@@ -87,7 +90,7 @@ def output_and_cost(command):
 
 
 def points(program, name, photons, digits, table, *jobs):
-    """Runs single points and keeps (seconds, value, and more words if the tool says more), the least seconds of all runs."""
+    """Runs single points and keeps the least seconds of all runs, the value, and more words if the tool says more."""
     text, _ = output_and_cost([*program, "points", ",".join(map(str, photons)), str(digits), *jobs])
     for line in text.splitlines():
         _, job, k, count, seconds, *value = line.split()
