@@ -1,6 +1,9 @@
 """Compares this program with C FLINT 3, mpmath, the thesis's own way and numpy, in one run, and prints ratios.
 
     python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM] [--sweeps | --simulation]
+    python3 benches/rivals/run.py --figures FILE [--rounds N]
+
+The second form needs no side of ours: it writes time and correct digits of the rivals at single points as a CSV file.
 
 Standard library only. Each rival that is not there is skipped with a message that says how to get it; see
 README.md beside this file. The jobs are interleaved: in each round every tool runs each job once, one after
@@ -10,23 +13,19 @@ the other, and the least time of the rounds counts.
 import argparse
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
+from figures import write_figures
+from tools import HERE, build_flint, correct_digits, output_and_cost, package, points
+
 ROOT = HERE.parent.parent
-sys.set_int_max_str_digits(0)
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
 DOUBLES = ((4, 100000), (72 * 10**6, 73 * 10**6), (10**12, 10**12 + 10**6))
 # Shells of strategy 2, and runs.
 SIMULATION = (400, 1000)
 SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
-
-
-def say(*words):
-    print(*words, file=sys.stderr, flush=True)
 
 
 def build_ours():
@@ -35,84 +34,6 @@ def build_ours():
         sys.exit("our own side does not build")
     target = os.environ.get("CARGO_TARGET_DIR", ROOT / "target")
     return ROOT / target / "release" / "examples" / "rivals"
-
-
-def flint_flags():
-    """Compiler flags to try, best first: the folder named by FLINT, what pkg-config says, the system's."""
-    prefix = os.environ.get("FLINT")
-    if prefix:
-        library = pathlib.Path(prefix) / "lib" / "libflint.a"
-        link = [str(library)] if library.exists() else [f"-L{prefix}/lib", "-lflint"]
-        yield [f"-I{prefix}/include"], link
-    if shutil.which("pkg-config"):
-        found = subprocess.run(["pkg-config", "--cflags", "--libs", "flint"], capture_output=True, text=True)
-        if found.returncode == 0:
-            yield [], found.stdout.split()
-    yield [], ["-lflint"]
-
-
-def build_flint(folder):
-    compiler = shutil.which(os.environ.get("CC", "cc"))
-    if not compiler:
-        say("skipped: C FLINT (no C compiler; set CC)")
-        return None
-    program = folder / "flint"
-    for include, link in flint_flags():
-        command = [compiler, "-O2", "-march=native", *include, str(HERE / "flint.c"), "-o", str(program), *link]
-        done = subprocess.run([*command, "-lmpfr", "-lgmp", "-lm", "-lpthread"], capture_output=True)
-        if done.returncode == 0:
-            return program
-    say("skipped: C FLINT 3 (its library was not found; README.md says how to get it, then set FLINT)")
-    return None
-
-
-def python_rival():
-    if subprocess.run([sys.executable, "-c", "import mpmath"], capture_output=True).returncode:
-        say("skipped: mpmath and the thesis's own way (pip install mpmath)")
-        return None
-    return [sys.executable, str(HERE / "slow.py")]
-
-
-def numpy_rival():
-    if subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True).returncode:
-        say("skipped: numpy (pip install numpy)")
-        return None
-    return [sys.executable, str(HERE / "simulation.py")]
-
-
-def output_and_cost(command):
-    """What a program prints, and the CPU seconds it took."""
-    with tempfile.TemporaryFile("w+") as out:
-        child = subprocess.Popen(command, stdout=out)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        if child.returncode:
-            sys.exit(f"failed: {' '.join(map(str, command))}")
-        out.seek(0)
-        return out.read(), usage.ru_utime + usage.ru_stime
-
-
-def points(program, name, photons, digits, table):
-    text, _ = output_and_cost([*program, "points", ",".join(map(str, photons)), str(digits)])
-    for line in text.splitlines():
-        words = line.split()[1:]
-        tool = name if len(words) == 5 else words.pop(0)
-        job, k, count, seconds, value = words
-        key = (tool, job, int(k), int(count))
-        best = min(float(seconds), table.get(key, (float("inf"),))[0])
-        table[key] = (best, value)
-
-
-def correct_digits(value, truth):
-    """How many digits of a decimal text are right, by integers."""
-    def scaled(text):
-        mantissa, _, exponent = text.replace("E", "e").partition("e")
-        whole, _, part = mantissa.partition(".")
-        return int(whole + part), int(exponent or 0) - len(part)
-    (a, p), (b, q) = scaled(value), scaled(truth)
-    low = min(p, q)
-    a, b = a * 10 ** (p - low), b * 10 ** (q - low)
-    return max(0, len(str(abs(b))) - len(str(abs(a - b)))) if a != b else sys.maxsize
 
 
 def median(values):
@@ -137,7 +58,7 @@ def print_digits(table, digits, photons):
         for job in "EV":
             rows = [(table.get((tool, job, k, digits)), table.get(("C FLINT", job, k, digits))) for k in photons]
             if all(value and truth for value, truth in rows):
-                right = [min(digits, correct_digits(v[1], t[1])) for v, t in rows]
+                right = [min(digits, round(correct_digits(v[1], t[1]))) for v, t in rows]
                 print(f"{job} {tool + ', digits right':20}" + "".join(f"{d:>10}" for d in right))
 
 
@@ -188,7 +109,7 @@ def print_simulation(costs):
 
 
 def simulations(ours, rounds):
-    numpy, costs = numpy_rival(), {}
+    numpy, costs = package("numpy", "simulation.py"), {}
     for _ in range(rounds):
         simulation([*ours, "simulation"], costs)
         if numpy:
@@ -202,9 +123,13 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--sweeps", action="store_true", help="sweeps only")
     parser.add_argument("--simulation", action="store_true", help="simulation only")
+    parser.add_argument("--figures", type=pathlib.Path, metavar="FILE", help="time and digits of the rivals, as CSV")
     parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
     options = parser.parse_args()
     rounds = 1 if options.quick else options.rounds
+    if options.figures:
+        write_figures(options.figures, rounds)
+        return
     ours = [str(options.ours or build_ours())]
     if options.simulation:
         simulations(ours, rounds)
@@ -213,16 +138,17 @@ def main():
         tools = {"ours": ours}
         flint = build_flint(pathlib.Path(folder))
         if flint:
-            tools["C FLINT"] = [str(flint)]
-        slow = python_rival()
+            tools["C FLINT"] = flint
+        mpmath = {name: package("mpmath", "packages.py", name) for name in ("mpmath", "thesis")}
         table, costs, double_costs = {}, {}, {}
         targets = () if options.sweeps else (15, 50, 100, 1000) if options.quick else (15, 50, 100, 1000, 10000)
         for _ in range(rounds):
             for digits in targets:
                 for name, program in tools.items():
                     points(program, name, PHOTONS, digits, table)
-                if slow and digits <= 1000:
-                    points(slow, "", PHOTONS, digits, table)
+                for name, program in mpmath.items():
+                    if program and digits <= 1000:
+                        points(program, name, PHOTONS, digits, table)
             for first, last, digits in SWEEPS:
                 if options.quick and digits > 50:
                     continue
