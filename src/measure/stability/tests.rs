@@ -1,5 +1,4 @@
 use super::*;
-use crate::special::shell::Method;
 
 const COARSE: Grid = Grid {
     columns: 23,
@@ -109,50 +108,6 @@ fn the_closed_form_has_the_digits_that_cancellation_leaves() {
         );
     }
     assert_eq!(seen.len(), 2);
-}
-
-/// The cheapest method that the choice does not take first.
-fn second_truth(scene: &Scene) -> [Interval; 3] {
-    let quantities = [Quantity::Function, Quantity::Excess, Quantity::Variance];
-    let shell = scene.shell().expect("finite");
-    let (first, _) =
-        crate::special::shell::choose(Quantity::Variance, &shell, TRUTH).expect("a method");
-    let bits = |method: Method| method.bits_for(Quantity::Variance, &shell, TRUTH) + 64;
-    let mut others: Vec<Method> = Method::ALL
-        .into_iter()
-        .filter(|&method| method != first)
-        .collect();
-    others.sort_by(|a, b| {
-        a.estimate(&shell, bits(*a))
-            .total_cmp(&b.estimate(&shell, bits(*b)))
-    });
-    others
-        .into_iter()
-        .filter_map(|method| method.enclose_all(quantities, &shell, bits(method)).ok())
-        .find(|values| values.iter().all(|value| value.agrees_to(TRUTH)))
-        .expect("a second method answers")
-}
-
-#[test]
-fn a_second_method_has_the_same_cells() {
-    for map in maps() {
-        for column in (0..COARSE.columns).step_by(3) {
-            let rows = map.column(COARSE, column).expect("there is a truth");
-            for (index, row) in rows.iter().enumerate() {
-                let mut cells = vec![Cell::Lost(0); map.panels.len()];
-                for (x, y) in places(COARSE, column, index as u32) {
-                    let scene = map.plane.scene(x, y);
-                    for (worst, cell) in cells
-                        .iter_mut()
-                        .zip(map.cells(&scene, &second_truth(&scene)))
-                    {
-                        *worst = (*worst).max(cell);
-                    }
-                }
-                assert_eq!(cells, row.cells, "{} {:?}", map.name, row.at);
-            }
-        }
-    }
 }
 
 #[test]

@@ -353,7 +353,8 @@ impl Survey for Costs {
                 let times = [fastest, choice].map(|point| time(point.seconds));
                 let _ = writeln!(
                     text,
-                    "| {k} | {asked} | {} | {} | {ratio:.2} |",
+                    "| {} | {asked} | {} | {} | {ratio:.2} |",
+                    short(k),
                     fastest.way,
                     times.join(" | ")
                 );
@@ -478,12 +479,14 @@ impl Points {
         own.find(|point| point.k == k && point.asked == asked && point.way == way)
     }
 
-    /// The fastest way that proves the digits asked for, but the choice itself. All digits of its doubles count for 15.
+    /// The fastest of the methods that the choice is among and that prove the digits asked for.
     fn fastest(&self, k: u64, asked: u32) -> Option<&Point> {
+        let is_method = |point: &&Point| matches!(point.way.parse(), Ok(Way::Method(_)));
         let own = self
             .all
             .iter()
-            .filter(|point| point.k == k && is_method(point));
+            .filter(|point| point.k == k)
+            .filter(is_method);
         own.filter(|point| point.digits >= f64::from(asked))
             .min_by(|a, b| a.seconds.total_cmp(&b.seconds))
     }
@@ -509,7 +512,7 @@ impl Points {
                 })
             });
             let cells: Vec<String> = cells.collect();
-            let _ = writeln!(text, "| {k} | {asked} | {} |", cells.join(" | "));
+            let _ = writeln!(text, "| {} | {asked} | {} |", short(k), cells.join(" | "));
         }
         text
     }
@@ -548,7 +551,7 @@ impl Points {
             }
         }
         Panel {
-            title: format!("photon {k}: {what}"),
+            title: format!("photon {}: {what}", short(k)),
             x: axis("digits proved (other programs: right)"),
             y: axis(label),
             series: all,
@@ -614,17 +617,20 @@ fn between(curve: &[[f64; 2]], x: f64) -> Option<f64> {
 /// Looks from here on are the rivals'.
 const RIVALS_LOOK: usize = 13;
 
-/// A way of this program but the choice.
-fn is_method(point: &Point) -> bool {
-    point.way.parse::<Way>().is_ok_and(|way| way != Way::Choice)
-}
-
 impl Point {
     fn cost(&self, measure: Measure) -> Option<f64> {
         match measure {
             Measure::Seconds => Some(self.seconds),
             Measure::Instructions => self.instructions,
         }
+    }
+}
+
+/// Powers of ten from a million on as such.
+fn short(k: u64) -> String {
+    match k.ilog10() {
+        power if power >= 6 && k == 10u64.pow(power) => format!("10^{power}"),
+        _ => k.to_string(),
     }
 }
 

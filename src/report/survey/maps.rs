@@ -17,8 +17,8 @@ const FULL: Grid = Grid {
     rows: 150,
 };
 const QUICK: Grid = Grid {
-    columns: 115,
-    rows: 75,
+    columns: 77,
+    rows: 50,
 };
 
 const FAILURES: [Cell; 5] = [
