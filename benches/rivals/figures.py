@@ -2,6 +2,7 @@
 
 import collections
 import csv
+import decimal
 import math
 import os
 import pathlib
@@ -9,7 +10,7 @@ import platform
 import sys
 import tempfile
 
-from tools import build_doubles, build_flint, correct_digits, output_and_cost, package, pari, points, say
+from tools import build_doubles, build_flint, error, output_and_cost, package, pari, points, say
 
 PHOTONS = (4, 100, 5050, 10**6, 10**8, 10**12)
 DIGITS = (15, 30, 50, 100, 300, 1000, 3000, 10000)
@@ -70,6 +71,15 @@ def measure(found, rounds):
                     if all(table.get((tool.name, job, k, digits), (0,))[0] > 2 * LIMIT for job in QUANTITIES):
                         end[tool.name, k] = digits
     return table
+
+
+def correct_digits(value, truth):
+    """-log10 of the relative error of a decimal text."""
+    off, truth = error(value, truth)
+    if not off.is_finite():
+        return 0.0
+    short = decimal.Context(prec=20)
+    return float(-short.log10(short.divide(off, truth))) if off else math.inf
 
 
 def digits_right(tool, asked, truth, value, bits=None):

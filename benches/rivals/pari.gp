@@ -1,8 +1,10 @@
-/* E_k and Var_k of strategy 2 with PARI/GP: hypergeom with guard digits, then formula 2.104, which loses 2 log10 k of them.
+/* E_k and Var_k of strategy 2 with PARI/GP: hypergeom with guard digits, then formula 2.104, which loses 2 log10 k
+   of them.
 
      echo 'tool_version()' | gp -q -f -s 256M pari.gp
      echo 'tool_points([K,K,...], [D,D,...])' | gp -q -f -s 256M pari.gp
-   lines: point JOB K D SECONDS VALUE   (JOB: E or V).
+
+   The lines: point JOB K D SECONDS VALUE   (JOB: E or V).
    Seconds are time by the clock of a call, best of several rounds; the clock counts milliseconds, so that a round
    takes at least 30. Where hypergeom raises there is no line. */
 

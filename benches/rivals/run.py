@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 from figures import write_figures
-from tools import HERE, build_flint, correct_digits, output_and_cost, package, points
+from tools import HERE, build_flint, error, output_and_cost, package, points
 
 ROOT = HERE.parent.parent
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
@@ -34,6 +34,12 @@ def build_ours():
         sys.exit("our own side does not build")
     target = os.environ.get("CARGO_TARGET_DIR", ROOT / "target")
     return ROOT / target / "release" / "examples" / "rivals"
+
+
+def correct_digits(value, truth):
+    """How many digits of a decimal text are right."""
+    off, truth = error(value, truth)
+    return max(0, truth.adjusted() - off.adjusted()) if off else sys.maxsize
 
 
 def median(values):
@@ -58,7 +64,7 @@ def print_digits(table, digits, photons):
         for job in "EV":
             rows = [(table.get((tool, job, k, digits)), table.get(("C FLINT", job, k, digits))) for k in photons]
             if all(value and truth for value, truth in rows):
-                right = [min(digits, round(correct_digits(v[1], t[1]))) for v, t in rows]
+                right = [min(digits, correct_digits(v[1], t[1])) for v, t in rows]
                 print(f"{job} {tool + ', digits right':20}" + "".join(f"{d:>10}" for d in right))
 
 

@@ -99,11 +99,7 @@ def points(program, name, photons, digits, table, *jobs):
         table[key] = (best, *value)
 
 
-def correct_digits(value, truth):
-    """-log10 of the relative error of a decimal text."""
-    exact, short = decimal.Context(prec=100000), decimal.Context(prec=20)
+def error(value, truth):
+    """The error of a decimal text and the truth."""
     value, truth = decimal.Decimal(value), decimal.Decimal(truth)
-    if not value.is_finite():
-        return 0.0
-    error = exact.subtract(value, truth)
-    return float(-short.log10(short.divide(error.copy_abs(), truth.copy_abs()))) if error else float("inf")
+    return decimal.Context(prec=100000).subtract(value, truth).copy_abs(), truth.copy_abs()
