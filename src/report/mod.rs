@@ -24,6 +24,8 @@ pub mod junit;
 #[cfg(feature = "engine")]
 mod latex;
 #[cfg(feature = "engine")]
+mod machine;
+#[cfg(feature = "engine")]
 pub mod probe;
 #[cfg(feature = "engine")]
 pub mod sarif;

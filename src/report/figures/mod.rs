@@ -211,6 +211,7 @@ impl Figure {
             notes.push(format!("Simulated: {}.", scenes.join("; ")));
         }
         notes.push(self.command(pace));
+        notes.push(super::machine::words());
         notes
     }
 }

@@ -538,7 +538,8 @@ impl Points {
         )];
         for (look, way) in Way::all().enumerate() {
             let points = self.curve(k, &way.to_string(), measure);
-            if !points.is_empty() && way != Way::Choice {
+            // In every panel, so that all have the same order.
+            if way != Way::Choice {
                 all.push(series(&way.to_string(), look, Marks::Chain(points)));
             }
         }
@@ -546,9 +547,7 @@ impl Points {
         all.push(series("the choice", 0, Marks::Rings(choice)));
         for (index, name) in self.rivals().into_iter().enumerate() {
             let points = self.curve(k, &format!("{RIVAL}{name}"), measure);
-            if !points.is_empty() {
-                all.push(series(&name, RIVALS_LOOK + index, Marks::Dots(points)));
-            }
+            all.push(series(&name, RIVALS_LOOK + index, Marks::Dots(points)));
         }
         Panel {
             title: format!("photon {}: {what}", short(k)),

@@ -169,7 +169,8 @@ impl Failures {
                  the shell is."
             }
             (Plane::Arguments, false) => {
-                "E - 1 and Var over the same plane. Where the shell is thin, 2.104 cancels, for few photons as for many; the moments do not."
+                "E - 1 and Var over the same plane. The thesis's formulas lose more the more photons a shell holds; 2.102 also the thinner the shell is, and 2.104 both where it is \
+                 thin and where it is thick. The moments do not cancel, and refuse where the shell is too thick for them."
             }
         }
     }

@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod choice;
-mod machine;
 mod maps;
 mod sheet;
 mod simulation;
@@ -105,7 +104,7 @@ impl Surveys {
 
     /// An empty sheet of a survey, headed by what it is, what a reader must know, by which command it was made, on which machine.
     pub fn sheet(&self, survey: &dyn Survey) -> Sheet {
-        let made = [self.command(), machine::words()];
+        let made = [self.command(), super::machine::words()];
         let notes = std::iter::once(survey.title())
             .chain(survey.notes())
             .chain(made);

@@ -9,8 +9,8 @@ use crate::special::shell::{Quantity, ShellError, enclose_all};
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-/// Photons of strategy 2: the smallest, and each in the middle of its shell.
-const PHOTONS: [u64; 4] = [5, 5000, 1_000_405, 1_000_000_000_405];
+/// Photons of strategy 2, each in the middle of its shell: of 3, 100, 1414 and 1,414,213 photons.
+const PHOTONS: [u64; 4] = [5, 5000, 999_698, 999_999_204_684];
 
 /// Runs are raised so many times by the root of ten, from a hundred on.
 const STEPS: [i32; 2] = [6, 10];
@@ -162,8 +162,8 @@ impl Survey for Runs {
     }
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
-        let mut text = "A digit more costs a hundred times the photons. The variance has the same digits for every photon; those of E - 1 get fewer as k grows, \
-             since the bias falls faster than the spread. A formula has all of a double's digits in the time of a few photons.\n\n\
+        let mut text = "A digit more costs a hundred times the photons. The variance has about the same digits for every photon; those of E - 1 get fewer as k grows, \
+             since in the middle of a shell the bias falls faster than the spread.\n\n\
              | photon | photons drawn at most | digits of E - 1 | by theory | digits of Var |\n|---|---|---|---|---|\n"
             .to_owned();
         for k in PHOTONS {
