@@ -249,9 +249,8 @@ pub fn picture(probe: &Probe, summary: &Summary) -> String {
             question.first, question.last, question.layout
         ),
         notes: vec![drawn.legend(summary), command(question)],
-        columns: 1,
-        key: vec![],
         panels,
+        ..Chart::default()
     };
     chart.to_svg()
 }

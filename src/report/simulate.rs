@@ -457,9 +457,6 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
     let z = |z: Option<f64>| z.unwrap_or(f64::NAN);
     let chart = Chart {
         title: scene_words(scene, outcome.sums.runs),
-        notes: vec![],
-        columns: 1,
-        key: vec![],
         panels: vec![
             panel(
                 "mean of k/U, less 1",
@@ -493,6 +490,7 @@ pub fn picture(scene: &Scene, outcome: &Outcome) -> String {
                 ],
             ),
         ],
+        ..Chart::default()
     };
     chart.to_svg()
 }

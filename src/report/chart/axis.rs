@@ -26,24 +26,12 @@ pub(super) enum Label {
     None,
 }
 
-/// What is left free at either end of an axis, as a share of it.
-const ROOM: f64 = 0.03;
-
 /// A tick so little beyond an end lies on it.
 const SLACK: f64 = 1e-9;
 
 impl Ruler {
-    /// Holds all the values that the scale can show, with a little room.
-    pub(super) fn new(scale: Scale, values: impl Iterator<Item = f64>) -> Ruler {
-        Ruler::with_room(scale, values, ROOM)
-    }
-
-    /// Ends at the least and the greatest of the values that the scale can show.
-    pub(super) fn exact(scale: Scale, values: impl Iterator<Item = f64>) -> Ruler {
-        Ruler::with_room(scale, values, 0.0)
-    }
-
-    fn with_room(scale: Scale, values: impl Iterator<Item = f64>, share: f64) -> Ruler {
+    /// Holds all the values that the scale can show, and at either end such a share of their range as room.
+    pub(super) fn new(scale: Scale, values: impl Iterator<Item = f64>, share: f64) -> Ruler {
         let shown = |x: &f64| x.is_finite() && (scale == Scale::Linear || *x > 0.0);
         let ends = values.filter(shown).fold(None, |ends, x| match ends {
             None => Some((x, x)),

@@ -5,6 +5,7 @@ use super::shade::{Key, Shade};
 use super::text;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::ops::Range;
 
 /// A grid of cells, evenly spaced along both axes' scales.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +98,8 @@ fn grown(run: Block, open: &mut BTreeMap<usize, Block>) -> Block {
     }
 }
 
-/// Where cells are on the page. Tenths of pixels are whole numbers here: sums of rounded lengths stay exact.
+/// Where cells are on the page, in steps of half a pixel: these and their sums are exact in the floating-point numbers of
+/// whatever draws them, so that neighbours of different shades leave no gap.
 struct Lattice {
     left: f64,
     bottom: f64,
@@ -120,26 +122,24 @@ impl Lattice {
     }
 
     fn x(&self, column: usize) -> i64 {
-        tenths(self.left + self.wide * column as f64)
+        halves(self.left + self.wide * column as f64)
     }
 
     fn y(&self, row: usize) -> i64 {
-        tenths(self.bottom - self.high * row as f64)
+        halves(self.bottom - self.high * row as f64)
     }
 }
 
-fn tenths(length: f64) -> i64 {
-    (length * 10.0).round() as i64
+fn halves(length: f64) -> i64 {
+    (length * 2.0).round() as i64
 }
 
-/// Tenths as a decimal number.
-fn decimal(tenths: i64) -> String {
-    let sign = if tenths < 0 { "-" } else { "" };
-    let size = tenths.unsigned_abs();
-    match size % 10 {
-        0 => format!("{sign}{}", size / 10),
-        digit => format!("{sign}{}.{digit}", size / 10),
-    }
+/// Half as much, as a decimal number.
+fn decimal(halves: i64) -> String {
+    let sign = if halves < 0 { "-" } else { "" };
+    let size = halves.unsigned_abs();
+    let fraction = if size % 2 == 0 { "" } else { ".5" };
+    format!("{sign}{}{fraction}", size / 2)
 }
 
 /// The cells, and in them the names of kinds.
@@ -238,7 +238,7 @@ fn sides(cells: &Cells, row: usize, count: usize, below: &[usize]) -> Vec<usize>
 const SIZES: [f64; 2] = [11.0, 10.0];
 
 /// What must be free around a name, in pixels.
-const MARGIN: f64 = 3.0;
+const MARGIN: f64 = 2.0;
 
 fn draw_name(out: &mut String, name: &str, cells: &Cells, square: Square, lattice: &Lattice) {
     let fitting = SIZES.into_iter().find_map(|size| {
@@ -256,8 +256,8 @@ fn draw_name(out: &mut String, name: &str, cells: &Cells, square: Square, lattic
     }
 }
 
-/// The middle of a rectangle at least so wide and high, in pixels, that holds equal cells only: some middle rows of
-/// the square, as far as they reach to either side.
+/// The middle of a rectangle at least so wide and high, in pixels, that holds equal cells only: some rows of the square,
+/// middle ones if they do, as far as they reach to either side.
 fn free_place(
     cells: &Cells,
     square: Square,
@@ -265,16 +265,23 @@ fn free_place(
     (wide, high): (f64, f64),
 ) -> Option<(f64, f64)> {
     let rows = (high / lattice.high.abs()).ceil().max(1.0) as usize;
-    if rows > square.side {
-        return None;
-    }
-    let first = square.row + 1 - square.side + (square.side - rows) / 2;
+    let spare = square.side.checked_sub(rows)?;
+    let lowest = square.row + 1 - square.side;
+    let mut firsts: Vec<usize> = (lowest..=lowest + spare).collect();
+    firsts.sort_by_key(|first| first.abs_diff(lowest + spare / 2));
+    firsts.into_iter().find_map(|first| {
+        let (left, right) = reach(cells, square, first..first + rows)?;
+        let x = lattice.left + lattice.wide * f64::midpoint(left as f64, right as f64);
+        let y = lattice.bottom - lattice.high * (first as f64 + rows as f64 / 2.0);
+        ((right - left) as f64 * lattice.wide.abs() >= wide).then_some((x, y))
+    })
+}
+
+/// From which column to before which all cells in these rows are of the square's shade.
+fn reach(cells: &Cells, square: Square, rows: Range<usize>) -> Option<(usize, usize)> {
     let shade = cells.at(square.column, square.row);
-    let alike = |column: &usize| (first..first + rows).all(|row| cells.at(*column, row) == shade);
+    let alike = |column: &usize| rows.clone().all(|row| cells.at(*column, row) == shade);
     let right = (square.column..cells.columns).take_while(alike).last()?;
     let left = (0..=square.column).rev().take_while(alike).last()?;
-    let reach = (right - left + 1) as f64 * lattice.wide.abs();
-    let x = lattice.left + lattice.wide * f64::midpoint(left as f64, right as f64 + 1.0);
-    let y = lattice.bottom - lattice.high * (first as f64 + rows as f64 / 2.0);
-    (reach >= wide).then_some((x, y))
+    Some((left, right + 1))
 }

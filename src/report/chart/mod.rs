@@ -6,9 +6,9 @@
 //! everywhere.
 //!
 //! Panels in one column have a legend each. Panels side by side share one, where each name stands once with the look
-//! of its first series. There the label of an upright axis is left of the first panel of a row, and over a panel that has
-//! another one than its neighbour; the label of a level axis is below the last panel of a column, and below a panel that
-//! has another one than the next.
+//! of its first series. There the label of an upright axis is left of the first panel of a row, and over a panel of the
+//! row that has another one; the label of a level axis is below the last panel of a column, and below a panel that has
+//! another axis than the next.
 //!
 //! ```
 //! use claimcheck::report::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, Shade};
@@ -31,6 +31,7 @@
 //!     notes: vec![],
 //!     columns: 2,
 //!     key: vec![Key { name: "none".into(), shade: Shade::Solid }],
+//!     levels: String::new(),
 //!     panels: vec![
 //!         panel("squares", Scale::Linear, Marks::Line(squares)),
 //!         panel("cells", Scale::Log, Marks::Cells(map)),
@@ -54,15 +55,17 @@ pub use cells::Cells;
 pub use shade::{Key, Shade, Texture};
 
 /// A picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     pub title: String,
     /// Small lines at the foot: the command, the machine, what a reader must know.
     pub notes: Vec<String>,
-    /// Panels side by side: 1, 2 or 3 (0 counts as 1, more as 3).
+    /// Panels side by side: 1, 2 or 3 (0, the default, counts as 1, more as 3).
     pub columns: usize,
     /// What the shades of cells mean; drawn once, above the panels.
     pub key: Vec<Key>,
+    /// What the levels of the key measure, with its unit: stands beside them.
+    pub levels: String,
     pub panels: Vec<Panel>,
 }
 

@@ -3,7 +3,7 @@
 use super::axis::Ruler;
 use super::grid::{self, Grid};
 use super::shade::Key;
-use super::text::{shortened, text};
+use super::text::{fitted, shortened, text};
 use super::{Marks, Panel, cells, marks, ticks};
 use std::fmt::Write;
 
@@ -122,14 +122,14 @@ impl Framed<'_> {
 
 /// How far below the plot the label of the level axis stands.
 fn label_depth(grid: &Grid) -> f64 {
-    2.0 * grid.small + 12.0
+    2.0 * grid.small + grid.lowered + 7.0
 }
 
 /// What is below a plot, with and without a label.
 pub(super) fn foot(grid: &Grid, labelled: bool) -> f64 {
     match labelled {
         true => label_depth(grid) + 8.0,
-        false => grid.small + 10.0,
+        false => grid.small + grid.lowered + 4.0,
     }
 }
 
@@ -138,15 +138,15 @@ pub(super) fn heading_line(grid: &Grid) -> f64 {
     grid.letters + 3.0
 }
 
-/// As many letters as fit so wide a place, where panels are narrow; else as many as are allowed.
+/// As much as fits so wide a place, where panels are narrow; else so many letters at most.
 fn fitting(words: &str, room: f64, most: usize, grid: &Grid) -> String {
     match grid.is_narrow() {
-        true => shortened(words, letters(room, grid)),
+        true => fitted(words, grid.letters, room),
         false => shortened(words, most),
     }
 }
 
-/// So many letters fit about so wide a place.
-pub(super) fn letters(room: f64, grid: &Grid) -> usize {
-    (room / (0.6 * grid.letters)) as usize
+/// So many bold letters fit above a plot.
+pub(super) fn heading_letters(grid: &Grid) -> usize {
+    (grid.width / (0.66 * grid.letters)) as usize
 }

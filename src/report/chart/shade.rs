@@ -41,10 +41,10 @@ pub enum Texture {
 }
 
 /// Cividis (Nuñez, Anderton and Renslow, PLoS ONE 13, 2018) from light to dark, by the polynomials of d3-scale-chromatic,
-/// where CIELAB's lightness is 91.7, 83, 74.3, ... 22.
+/// at CIELAB's lightness 91.7, 83.4, 75, ... 25: even steps.
 const LEVELS: [&str; 9] = [
-    "#fdea45", "#e7cf58", "#c7b76c", "#a8a077", "#8d8978", "#747272", "#575d6e", "#34486e",
-    "#0c336b",
+    "#fdea45", "#e8d057", "#cab96a", "#aca376", "#918d78", "#7a7773", "#5f626e", "#3f4f6e",
+    "#193b6d",
 ];
 
 /// The palette of Okabe and Ito and a grey, each mixed with white up to a lightness of 61 to 94 in CIELAB. Those of one

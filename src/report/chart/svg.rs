@@ -70,13 +70,12 @@ fn draw_title(out: &mut String, chart: &Chart, grid: &Grid) -> f64 {
 /// What is said once for all panels.
 fn draw_legends(out: &mut String, chart: &Chart, grid: &Grid, top: f64) -> f64 {
     let mut y = top;
-    let shared = legend::shared(chart);
-    if grid.is_narrow() && !shared.is_empty() {
-        y = legend::draw(out, shared.into_iter(), grid.left, y + 4.0);
+    if grid.is_narrow() {
+        y = legend::draw(out, &legend::shared(chart), grid, y + 4.0);
     }
     match chart.key.is_empty() {
         true => y,
-        false => legend::draw_key(out, &chart.key, grid.left, y + 4.0),
+        false => legend::draw_key(out, chart, grid.left, y + 4.0),
     }
 }
 
@@ -111,13 +110,13 @@ fn draw_row(out: &mut String, chart: &Chart, grid: &Grid, first: usize, top: f64
     let lines = headings.iter().map(Vec::len).max().unwrap_or(0);
     let mut top = top;
     if !grid.is_narrow() {
-        let series = row().flat_map(|(_, panel)| &panel.series);
-        top = legend::draw(out, series, grid.left, top) + 8.0;
+        let series: Vec<_> = row().flat_map(|(_, panel)| &panel.series).collect();
+        top = legend::draw(out, &series, grid, top) + 8.0;
     }
     top += lines as f64 * plot::heading_line(grid);
     let mut end = top;
     for ((number, panel), heading) in row().zip(headings) {
-        let [x, y] = rulers(chart, panel);
+        let [x, y] = rulers(chart, panel, grid.spare);
         let plot = Plot {
             left: grid.left_of(number - first),
             top,
@@ -149,41 +148,43 @@ fn is_last(chart: &Chart, grid: &Grid, number: usize) -> bool {
     !grid.is_narrow() || below.is_none_or(|below| this.is_none_or(|this| this.x != below.x))
 }
 
-/// The title of a panel, and the label of its upright axis where that is another than its left neighbour's.
+/// The title of a panel, and the label of its upright axis where that is another than
+/// the first panel's of the row.
 fn heading(chart: &Chart, grid: &Grid, number: usize) -> Vec<String> {
     let Some(panel) = chart.panels.get(number) else {
         return vec![];
     };
-    let width = plot::letters(grid.width, grid);
+    let width = plot::heading_letters(grid);
     let mut lines = match panel.title.is_empty() {
         true => vec![],
         false => broken(&shortened(&panel.title, HEADING * width), width),
     };
-    let neighbour = number
-        .checked_sub(1)
-        .and_then(|left| chart.panels.get(left));
-    let unlike = neighbour.is_some_and(|left| left.y.label != panel.y.label);
-    if unlike && !number.is_multiple_of(grid.columns) {
+    let row = number - number % grid.columns;
+    let first = chart.panels.get(row).unwrap_or(panel);
+    if first.y.label != panel.y.label {
         lines.push(shortened(&format!("\u{2191} {}", panel.y.label), width));
     }
     lines
 }
 
 /// Along x and y. Panels of the same thing have the same range, but those with cells end where these do.
-fn rulers(chart: &Chart, panel: &Panel) -> [Ruler; 2] {
+fn rulers(chart: &Chart, panel: &Panel, spare: f64) -> [Ruler; 2] {
     let (x, y) = (&panel.x, &panel.y);
     let edges: Vec<[f64; 2]> = maps(panel).flat_map(Cells::corners).collect();
     if !edges.is_empty() {
         return [
-            Ruler::exact(x.scale, edges.iter().map(|[x, _]| *x)),
-            Ruler::exact(y.scale, edges.iter().map(|[_, y]| *y)),
+            Ruler::new(x.scale, edges.iter().map(|[x, _]| *x), 0.0),
+            Ruler::new(y.scale, edges.iter().map(|[_, y]| *y), 0.0),
         ];
     }
     let alike = chart.panels.iter().filter(|other| other.x == panel.x);
     let along = alike.flat_map(corners).map(|[x, _]| x);
     let alike = chart.panels.iter().filter(|other| other.y == panel.y);
     let upwards = alike.flat_map(corners).map(|[_, y]| y);
-    [Ruler::new(x.scale, along), Ruler::new(y.scale, upwards)]
+    [
+        Ruler::new(x.scale, along, spare),
+        Ruler::new(y.scale, upwards, spare),
+    ]
 }
 
 fn corners(panel: &Panel) -> impl Iterator<Item = [f64; 2]> {

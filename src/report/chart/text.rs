@@ -39,6 +39,19 @@ pub(super) fn shortened(words: &str, most: usize) -> String {
     }
 }
 
+/// The words, or as many letters of them as fit so many pixels.
+pub(super) fn fitted(words: &str, size: f64, room: f64) -> String {
+    if width(words, size) <= room {
+        return words.to_owned();
+    }
+    let mut end = breadth('\u{2026}') * size;
+    let fitting = words.chars().take_while(|letter| {
+        end += breadth(*letter) * size;
+        end <= room
+    });
+    fitting.chain(['\u{2026}']).collect()
+}
+
 /// For XML: what it cannot hold is dropped.
 pub(super) fn escaped(words: &str) -> String {
     let mut text = String::new();
@@ -64,6 +77,8 @@ pub(super) fn width(words: &str, size: f64) -> f64 {
 fn breadth(letter: char) -> f64 {
     match letter {
         'i' | 'j' | 'l' | 'I' | '|' | '\'' => 0.3,
+        'c' | 's' | 'z' => 0.55,
+        'k' | 'v' | 'x' | 'y' => 0.6,
         ' ' | '.' | ',' | ':' | ';' => 0.33,
         'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '/' => 0.41,
         'm' | 'w' | 'M' | 'W' | '%' | '\u{2026}' => 0.98,

@@ -9,6 +9,9 @@ use std::fmt::Write;
 /// Ticks with a label, about, from the number asked first to that asked last.
 const COUNTS: [f64; 5] = [7.0, 5.0, 4.0, 3.0, 2.0];
 
+/// Half the height of a digit, as a share of the letters' size.
+const HALF: f64 = 4.5 / 13.0;
+
 /// Of the letters of an exponent.
 const POWER: f64 = 10.0;
 
@@ -19,9 +22,9 @@ pub(super) enum Along {
 }
 
 impl Label {
-    /// As SVG, and about how wide in letters of this size.
-    fn drawn(&self, size: f64) -> Option<(String, f64)> {
-        let power = |power: &i32| power.to_string().replace('-', "\u{2212}");
+    /// As SVG, and about how wide.
+    fn drawn(&self, grid: &Grid) -> Option<(String, f64)> {
+        let size = grid.small;
         match self {
             Label::Plain(label) => {
                 let label = text::escaped(label).replace('-', "\u{2212}");
@@ -31,9 +34,12 @@ impl Label {
             Label::Power(0) => Some(("1".to_owned(), text::width("1", size))),
             Label::Power(1) => Some(("10".to_owned(), text::width("10", size))),
             Label::Power(exponent) => {
-                let exponent = power(exponent);
+                let exponent = exponent.to_string().replace('-', "\u{2212}");
                 let width = text::width("10", size) + text::width(&exponent, POWER);
-                let label = format!("10<tspan class=\"power\" dy=\"-6\">{exponent}</tspan>");
+                let label = format!(
+                    "10<tspan class=\"power\" dy=\"-{}\">{exponent}</tspan>",
+                    grid.raised
+                );
                 Some((label, width))
             }
             Label::None => None,
@@ -50,7 +56,7 @@ fn chosen(ruler: &Ruler, along: Along, length: f64, grid: &Grid) -> Vec<Tick> {
     let fewer = COUNTS.into_iter().map(|count| ruler.ticks(count));
     let mut fewest = vec![];
     for ticks in fewer {
-        let free = without_overlap(ticks.clone(), ruler, along, length, grid.small);
+        let free = without_overlap(ticks.clone(), ruler, along, length, grid);
         if free == ticks {
             return ticks;
         }
@@ -65,11 +71,12 @@ fn without_overlap(
     ruler: &Ruler,
     along: Along,
     length: f64,
-    size: f64,
+    grid: &Grid,
 ) -> Vec<Tick> {
+    let size = grid.small;
     let mut free = f64::NEG_INFINITY;
     for tick in &mut ticks {
-        let Some((_, width)) = tick.label.drawn(size) else {
+        let Some((_, width)) = tick.label.drawn(grid) else {
             continue;
         };
         let (half, gap) = match along {
@@ -121,17 +128,17 @@ fn draw_line(out: &mut String, tick: &Tick, plot: &Plot, along: Along, place: f6
 }
 
 fn draw_label(out: &mut String, tick: &Tick, plot: &Plot, along: Along, place: f64, grid: &Grid) {
-    let Some((label, width)) = tick.label.drawn(grid.small) else {
+    let Some((label, width)) = tick.label.drawn(grid) else {
         return;
     };
     let (x, y) = plot.inside(place, place);
     let (x, y, anchor) = match along {
         Along::X => (
             inside_page(x, width, grid),
-            plot.bottom() + grid.small + 5.0,
+            plot.bottom() + grid.small + grid.lowered,
             "middle",
         ),
-        Along::Y => (plot.left - grid.apart, y + 0.35 * grid.small, "end"),
+        Along::Y => (plot.left - grid.apart, y + HALF * grid.small, "end"),
     };
     let pressed = match along == Along::Y && grid.is_narrow() && width > grid.room() {
         true => format!(

@@ -181,9 +181,8 @@ impl Figure {
         let chart = Chart {
             title: self.heading(),
             notes: self.all_notes(pace),
-            columns: 1,
-            key: vec![],
             panels,
+            ..Chart::default()
         };
         Ok(Made {
             svg: chart.to_svg(),

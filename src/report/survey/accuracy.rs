@@ -327,13 +327,11 @@ impl Survey for Costs {
             .iter()
             .flat_map(|&k| measures.iter().map(move |&measure| (k, measure)));
         Ok(Chart {
-            title: String::new(),
-            notes: vec![],
             columns: 2,
-            key: vec![],
             panels: panels
                 .map(|(k, measure)| points.panel(k, measure))
                 .collect(),
+            ..Chart::default()
         })
     }
 

@@ -188,11 +188,10 @@ impl Survey for Choice {
                 shade: Shade::Kind(index as u8),
             });
         Ok(Chart {
-            title: String::new(),
-            notes: vec![],
             columns: 2,
             key: key.filter(used).collect(),
             panels,
+            ..Chart::default()
         })
     }
 

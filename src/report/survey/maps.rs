@@ -121,10 +121,7 @@ fn key() -> Vec<Key> {
     };
     let levels = (0..8u8).map(|level| {
         let from = level * A_SHADE / 10;
-        let name = match level {
-            0 => "0\u{2013}2 digits lost".to_owned(),
-            _ => format!("{from}\u{2013}{}", from + 2),
-        };
+        let name = format!("{from}\u{2013}{}", from + A_SHADE / 10);
         entry(&name, Shade::Level(level))
     });
     let others = [
@@ -242,11 +239,11 @@ impl Survey for Failures {
             ))
         });
         Ok(Chart {
-            title: String::new(),
-            notes: vec![],
             columns: 3,
             key: key(),
+            levels: "digits lost".to_owned(),
             panels: panels.collect::<Result<_, _>>()?,
+            ..Chart::default()
         })
     }
 

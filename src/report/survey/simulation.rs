@@ -150,14 +150,12 @@ impl Survey for Runs {
             })
         };
         Ok(Chart {
-            title: String::new(),
-            notes: vec![],
             columns: 2,
-            key: vec![],
             panels: vec![
                 panel("E \u{2212} 1", COLUMNS[3], Some(COLUMNS[4]))?,
                 panel("Var", COLUMNS[5], None)?,
             ],
+            ..Chart::default()
         })
     }
 
