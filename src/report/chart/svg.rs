@@ -89,7 +89,7 @@ fn draw_rows(out: &mut String, chart: &Chart, grid: &Grid, top: f64) -> f64 {
 
 fn draw_notes(out: &mut String, notes: &[String], top: f64) -> f64 {
     let mut y = top;
-    for line in notes.iter().flat_map(|note| broken(note, 112)) {
+    for line in notes.iter().flat_map(|note| broken(note, 125)) {
         y += 15.0;
         text(out, 12.0, y, "class=\"note\"", &line);
     }

@@ -256,7 +256,7 @@ impl Survey for Costs {
                 self.rivals
                     .notes
                     .iter()
-                    .map(|note| format!("Rivals: {note}")),
+                    .map(|note| format!("Other programs: {note}")),
             );
         }
         notes
@@ -339,9 +339,9 @@ impl Survey for Costs {
         let points = Points::read(sheet)?;
         let mut text = "What the choice costs more than the fastest way in hindsight that proves the digits asked for is the price of choosing beforehand, by \
              estimates alone.\n\n\
-             | k | digits asked | fastest | its time | the choice's time | ratio |\n|---|---|---|---|---|---|\n"
+             | k | digits asked | fastest | its time | the choice's time | ratio | ratio of instructions |\n|---|---|---|---|---|---|---|\n"
             .to_owned();
-        let mut ratios = vec![];
+        let (mut ratios, mut counts) = (vec![], vec![]);
         for (k, asked) in points.questions() {
             let fastest = points.fastest(k, asked);
             let choice = points.of(k, asked, &Way::Choice.to_string());
@@ -349,22 +349,21 @@ impl Survey for Costs {
                 let ratio = choice.seconds / fastest.seconds;
                 ratios.push(ratio);
                 let times = [fastest, choice].map(|point| time(point.seconds));
+                let counted = points.ratio_of_instructions(k, asked);
+                let counted_words = counted.map_or(String::new(), |ratio| format!("{ratio:.2}"));
+                counts.extend(counted);
                 let _ = writeln!(
                     text,
-                    "| {} | {asked} | {} | {} | {ratio:.2} |",
+                    "| {} | {asked} | {} | {} | {ratio:.2} | {counted_words} |",
                     short(k),
                     fastest.way,
                     times.join(" | ")
                 );
             }
         }
-        ratios.sort_by(f64::total_cmp);
-        if let (Some(middle), Some(worst)) = (ratios.get(ratios.len() / 2), ratios.last()) {
-            let _ = writeln!(
-                text,
-                "\nThe choice takes {middle:.2} times as long as the fastest way in hindsight in the median, {worst:.2} times at worst."
-            );
-        }
+        text.push('\n');
+        text += &summary("time", ratios);
+        text += &summary("instructions", counts);
         text += &points.against_rivals();
         Ok(text)
     }
@@ -477,16 +476,26 @@ impl Points {
         own.find(|point| point.k == k && point.asked == asked && point.way == way)
     }
 
-    /// The fastest of the methods that the choice is among and that prove the digits asked for.
-    fn fastest(&self, k: u64, asked: u32) -> Option<&Point> {
+    /// The methods that the choice is among, where they prove the digits asked for.
+    fn methods(&self, k: u64, asked: u32) -> impl Iterator<Item = &Point> {
         let is_method = |point: &&Point| matches!(point.way.parse(), Ok(Way::Method(_)));
-        let own = self
-            .all
-            .iter()
-            .filter(|point| point.k == k)
-            .filter(is_method);
-        own.filter(|point| point.digits >= f64::from(asked))
+        let proves = move |point: &&Point| point.k == k && point.digits >= f64::from(asked);
+        self.all.iter().filter(proves).filter(is_method)
+    }
+
+    fn fastest(&self, k: u64, asked: u32) -> Option<&Point> {
+        self.methods(k, asked)
             .min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+    }
+
+    /// The instructions of the choice over the fewest that a method takes.
+    fn ratio_of_instructions(&self, k: u64, asked: u32) -> Option<f64> {
+        let choice = self.of(k, asked, &Way::Choice.to_string())?.instructions?;
+        let counts = self
+            .methods(k, asked)
+            .filter_map(|point| point.instructions);
+        let least = counts.min_by(f64::total_cmp)?;
+        Some(choice / least)
     }
 
     /// A table of what other programs take, as multiples of the choice's time; empty without any.
@@ -600,9 +609,15 @@ impl Points {
     }
 }
 
-/// The value at x of the curve through these points, straight on logarithmic axes; `None` beyond its ends.
+/// The value at x of the curve through these points, straight on logarithmic axes. Little beyond its right end it has the value
+/// there, since ways that are asked for the same digits end at slightly different ones; else `None` beyond its ends.
 fn between(curve: &[[f64; 2]], x: f64) -> Option<f64> {
     if let Some([_, y]) = curve.iter().find(|[at, _]| *at == x) {
+        return Some(*y);
+    }
+    if let Some([end, y]) = curve.last()
+        && (*end..1.05 * end).contains(&x)
+    {
         return Some(*y);
     }
     let right = curve.iter().position(|[at, _]| *at > x)?;
@@ -620,6 +635,17 @@ impl Point {
             Measure::Seconds => Some(self.seconds),
             Measure::Instructions => self.instructions,
         }
+    }
+}
+
+/// What the choice takes over the least, in the median and at worst; nothing of nothing.
+fn summary(of: &str, mut ratios: Vec<f64>) -> String {
+    ratios.sort_by(f64::total_cmp);
+    match (ratios.get(ratios.len() / 2), ratios.last()) {
+        (Some(middle), Some(worst)) => format!(
+            "In {of} the choice takes {middle:.2} times the least of all methods in hindsight in the median, {worst:.2} times at worst.\n"
+        ),
+        _ => String::new(),
     }
 }
 
