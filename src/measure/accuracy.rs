@@ -130,6 +130,15 @@ impl Call {
         self.estimate
     }
 
+    /// What the choice tries first; nothing for any other way.
+    pub fn chosen(&self) -> Option<Way> {
+        let Question {
+            quantity, digits, ..
+        } = self.question;
+        let chosen = (self.way == Way::Choice).then(|| choose(quantity, &self.shell, digits));
+        chosen?.ok().map(|(method, _)| Way::Method(method))
+    }
+
     /// The answer.
     ///
     /// # Errors

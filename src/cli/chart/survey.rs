@@ -33,10 +33,11 @@ impl Desk {
                 None => (self.measured(survey, empty)?, "made"),
             };
             let name = survey.name();
-            let picture = surveys.draw(survey, &sheet).map_err(not_ours)?;
-            replace_file(&self.file(&format!("{name}.svg")), &picture)?;
+            for picture in surveys.draw(survey, &sheet).map_err(not_ours)? {
+                replace_file(&self.file(&format!("{}.svg", picture.name)), &picture.svg)?;
+            }
             sheets.push(sheet);
-            to_stdout(&format!("{name}.csv, {name}.svg: {said}\n"))?;
+            to_stdout(&format!("{name}: {said}\n"))?;
         }
         let page = format!("{}.md", surveys.group);
         let words = surveys.page(&sheets).map_err(not_ours)?;
@@ -54,7 +55,7 @@ impl Desk {
         let text = fs::read_to_string(self.file(&format!("{}.csv", survey.name()))).ok()?;
         let sheet: Sheet = text.parse().ok()?;
         // One that another version of the program, or another hand, made of it is measured again.
-        let whole = sheet.is_of(empty) && survey.picture(&sheet).is_ok();
+        let whole = sheet.is_of(empty) && survey.pictures(&sheet).is_ok();
         whole.then_some(sheet)
     }
 

@@ -112,8 +112,10 @@ pub fn maps() -> Vec<Map> {
             .collect()
     };
     let moments = |recipes: &[Recipe]| {
-        let of = |quantity| recipes.iter().map(move |&recipe| (quantity, recipe));
-        of(Quantity::Excess).chain(of(Quantity::Variance)).collect()
+        let of = |&recipe: &Recipe| {
+            [Quantity::Excess, Quantity::Variance].map(|quantity| (quantity, recipe))
+        };
+        recipes.iter().flat_map(of).collect()
     };
     let all = [
         Recipe::Direct,

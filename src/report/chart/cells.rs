@@ -138,7 +138,7 @@ fn halves(length: f64) -> i64 {
 fn decimal(halves: i64) -> String {
     let sign = if halves < 0 { "-" } else { "" };
     let size = halves.unsigned_abs();
-    let fraction = if size % 2 == 0 { "" } else { ".5" };
+    let fraction = if size.is_multiple_of(2) { "" } else { ".5" };
     format!("{sign}{}{fraction}", size / 2)
 }
 

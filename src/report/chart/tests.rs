@@ -129,7 +129,8 @@ fn every_mark_in_every_number_of_columns_is_drawn_or_left_out() {
         vec![[2.0, nan], [nan, 3.0], [f64::INFINITY, 1.0], [-1.0, 0.0]],
         vec![[1e-300, 1e300], [1e300, 1e-300], [-1e308, 1e308]],
     ];
-    let marks: [fn(Vec<[f64; 2]>) -> Marks; 5] = [
+    type Of = fn(Vec<[f64; 2]>) -> Marks;
+    let marks: [Of; 5] = [
         Marks::Line,
         Marks::Dots,
         Marks::Chain,

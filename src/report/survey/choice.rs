@@ -1,8 +1,8 @@
 //! Which method the choice takes.
 
 use super::super::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, Shade};
-use super::maps::{axes, by_rows, percent};
-use super::{Error, Sheet, SheetError, Survey};
+use super::maps::{axes, by_rows, percent, shows};
+use super::{Error, Sheet, SheetError, Survey, method_words};
 use crate::measure::stability::{Grid, Plane};
 use crate::special::shell::{Method, Quantity, choose};
 use std::fmt::Write;
@@ -20,17 +20,17 @@ enum Asked {
 }
 
 const PANELS: [(&str, Asked); 4] = [
-    ("Var in the middle of a shell, by digits", Asked::Digits),
+    ("Var of a photon in mid-shell: by digits", Asked::Digits),
     (
-        "Var of photon k to 2000 digits",
+        "Var to 2000 digits: by place in the shell",
         Asked::Over(Plane::Photons, Quantity::Variance, 2000),
     ),
     (
-        "F to 15 digits",
+        "F to 15 digits: by z and m",
         Asked::Over(Plane::Arguments, Quantity::Function, 15),
     ),
     (
-        "F to 1000 digits",
+        "F to 1000 digits: by z and m",
         Asked::Over(Plane::Arguments, Quantity::Function, 1000),
     ),
 ];
@@ -118,13 +118,13 @@ impl Survey for Choice {
     }
 
     fn title(&self) -> String {
-        "The method that the choice takes first".to_owned()
+        "Which certified method is tried first".to_owned()
     }
 
     fn notes(&self) -> Vec<String> {
         vec![
-            "The certified methods of special::shell; the cheapest by estimates of their cost in instructions, for the scene in the \
-             middle of each cell."
+            "The method that is cheapest by estimates of its instructions, in the middle of each cell; another one is tried only where it does not reach the \
+             digits. Steps and slivers: estimates jump where numbers need one machine word more. Above V = m, Va = m(m-1)/2; below V = m, Va = -m/z, l = m/2 rounded up."
                 .to_owned(),
         ]
     }
@@ -157,7 +157,7 @@ impl Survey for Choice {
         Ok(rows.collect())
     }
 
-    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError> {
+    fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError> {
         let panels = PANELS.map(|(title, asked)| {
             let shades = sheet.column(title, shade)?;
             let ([x, y], [across, upwards]) = (asked.axes(), asked.ends());
@@ -184,29 +184,29 @@ impl Survey for Choice {
             .into_iter()
             .enumerate()
             .map(|(index, method)| Key {
-                name: name(Some(method)),
+                name: method_words(method).to_owned(),
                 shade: Shade::Kind(index as u8),
             });
-        Ok(Chart {
+        let chart = Chart {
             columns: 2,
             key: key.filter(used).collect(),
-            panels,
             ..Chart::default()
-        })
+        };
+        Ok(vec![("", Chart { panels, ..chart })])
     }
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
-        let mut text = "Where one method takes over from another; no cell has a right or a wrong here, only a cheaper one. The series in machine words serves most \
-             photons up to some thousand digits, binary splitting what lies beyond; where shells hold few photons and many digits are asked for the exact closed \
-             form is cheapest, since only its logarithm grows with the digits.\n\n\
+        let mut text = "Where one method takes over from another; no cell has a right or a wrong here, only a cheaper one. Pfaff's series in machine words serves most \
+             photons up to some thousand digits, the same series by binary splitting what lies beyond; where shells hold few photons and many digits are asked for the \
+             closed form is cheapest, since only its logarithm grows with the digits.\n\n\
              | panel | methods, % of cells |\n|---|---|\n"
             .to_owned();
         for (title, _) in PANELS {
             let cells = sheet.column(title, |cell| Some(cell.to_owned()))?;
             let of = |method| cells.iter().filter(|cell| **cell == name(method)).count();
             let methods = Method::ALL.into_iter().map(Some).chain([None]);
-            let mut found: Vec<(usize, String)> = methods
-                .map(|method| (of(method), name(method)))
+            let mut found: Vec<(usize, &str)> = methods
+                .map(|method| (of(method), method.map_or("none", method_words)))
                 .filter(|(count, _)| *count > 0)
                 .collect();
             found.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
@@ -221,12 +221,4 @@ impl Survey for Choice {
         }
         Ok(text)
     }
-}
-
-/// Whether a cell of the panel has this shade.
-fn shows(panel: &Panel, shade: Shade) -> bool {
-    panel.series.iter().any(|series| match &series.marks {
-        Marks::Cells(cells) => cells.cells.contains(&shade),
-        _ => false,
-    })
 }

@@ -29,8 +29,8 @@ const FAILURES: [Cell; 5] = [
     Cell::Refusal,
 ];
 
-/// Digits lost that are one shade.
-const A_SHADE: u8 = 20;
+/// Digits lost, where one shade ends and the next begins.
+const SHADES: [u8; 10] = [0, 1, 2, 4, 6, 8, 10, 12, 14, 16];
 
 /// The surveys of `claimcheck chart stability`: the maps, the method that the choice takes, and simulation.
 pub fn stability(pace: Pace) -> Surveys {
@@ -105,7 +105,10 @@ fn panel_title((quantity, recipe): (Quantity, Recipe)) -> String {
 
 fn shade(cell: Cell) -> Shade {
     match cell {
-        Cell::Lost(tenths) => Shade::Level((tenths / A_SHADE).min(7)),
+        Cell::Lost(tenths) => {
+            let above = SHADES[1..9].iter().filter(|edge| tenths >= 10 * **edge);
+            Shade::Level(above.count() as u8)
+        }
         Cell::Refusal => Shade::None,
         Cell::Cost => Shade::Texture(Texture::Dots),
         Cell::Divergence => Shade::Texture(Texture::Rising),
@@ -114,28 +117,41 @@ fn shade(cell: Cell) -> Shade {
     }
 }
 
-fn key() -> Vec<Key> {
+/// All shades of digits, and what else is in the panels.
+fn key(panels: &[Panel]) -> Vec<Key> {
     let entry = |name: &str, shade| Key {
         name: name.to_owned(),
         shade,
     };
-    let levels = (0..8u8).map(|level| {
-        let from = level * A_SHADE / 10;
-        let name = format!("{from}\u{2013}{}", from + A_SHADE / 10);
+    let levels = SHADES.windows(2).zip(0..).map(|(ends, level)| {
+        let name = format!("{}\u{2013}{}", ends[0], ends[1]);
         entry(&name, Shade::Level(level))
     });
     let others = [
         ("wrong: no digit right", Cell::Wrong),
         ("overflow", Cell::Overflow),
-        ("diverges", Cell::Divergence),
-        ("over 10,000 steps", Cell::Cost),
-        ("outside its domain", Cell::Refusal),
+        ("given up: terms grow", Cell::Divergence),
+        ("given up: over 10,000 steps", Cell::Cost),
+        ("refused: outside its domain", Cell::Refusal),
     ];
     let others = others.map(|(name, cell)| entry(name, shade(cell)));
-    levels.chain(others).collect()
+    let seen = |key: &Key| panels.iter().any(|panel| shows(panel, key.shade));
+    levels.chain(others.into_iter().filter(seen)).collect()
+}
+
+/// Whether a cell of the panel has this shade.
+pub(super) fn shows(panel: &Panel, shade: Shade) -> bool {
+    panel.series.iter().any(|series| match &series.marks {
+        Marks::Cells(cells) => cells.cells.contains(&shade),
+        _ => false,
+    })
 }
 
 impl Failures {
+    fn is_of_function(&self) -> bool {
+        matches!(self.map.panels.first(), Some((Quantity::Function, _)))
+    }
+
     fn cells(&self, sheet: &Sheet, panel: (Quantity, Recipe)) -> Result<Vec<Cell>, SheetError> {
         sheet.column(&column_name(panel), |cell| cell.parse().ok())
     }
@@ -144,8 +160,7 @@ impl Failures {
 impl Failures {
     /// What is to be seen, and why it is so: nothing that depends on a number measured.
     fn lesson(&self) -> &'static str {
-        let function = matches!(self.map.panels.first(), Some((Quantity::Function, _)));
-        match (self.map.plane, function) {
+        match (self.map.plane, self.is_of_function()) {
             (Plane::Photons, true) => {
                 "From left to right k grows, and with it the shell: the shells grow thin, Va becomes much larger than V. From bottom to top one goes from the first \
                  photon of a shell to its last. Both series, the moments and the relation from the middle are good wherever they end. The power series crawls in the \
@@ -179,26 +194,28 @@ impl Survey for Failures {
     }
 
     fn title(&self) -> String {
-        let what = match self.map.panels.first() {
-            Some((Quantity::Function, _)) => "F = 2F1(1, l; m+1; \u{2212}V/Va)",
-            _ => "E \u{2212} 1 and Var of k/U",
+        let what = match self.is_of_function() {
+            true => "F = 2F1(1, l; m+1; \u{2212}V/Va) loses",
+            false => "E \u{2212} 1 and Var of k/U lose",
         };
         let plane = match self.map.plane {
             Plane::Photons => "over the photons of strategy 2",
             Plane::Arguments => "over z and m, in the middle of a shell",
         };
-        format!("Digits that {what} loses in doubles, {plane}")
+        format!("Digits that {what} in doubles, {plane}")
     }
 
     fn notes(&self) -> Vec<String> {
         let scenes = FINE * FINE;
         let plane = match self.map.plane {
-            Plane::Photons => "Photon k is the l-th of m in its shell, V = m, Va = m(m-1)/2.",
-            Plane::Arguments => "One shell with V = m around Va = \u{2212}m/z, l = m/2 rounded up.",
+            Plane::Photons => "Photon k is the l-th of the m in its shell, V = m, Va = m(m-1)/2.",
+            Plane::Arguments => {
+                "One shell with V = m around Va = -m/z, l = m/2 rounded up (so odd and even m differ); dotted line: the shells of strategy 2."
+            }
         };
         vec![format!(
-            "Each cell is the worst of {scenes} scenes; digits of the 15.95 of a correctly rounded double, against enclosures to 25 digits. {plane} \
-             A recipe stops after {MOST_STEPS} steps."
+            "Each formula is computed in IEEE doubles. A cell is the worst of {scenes} inputs (Va, V, l, m); digits are lost against the correctly rounded double, which has \
+             15.95, and the truth is an enclosure. {plane} Over {MOST_STEPS} steps is our limit: the formula may be right, but slow."
         )]
     }
 
@@ -227,24 +244,26 @@ impl Survey for Failures {
         Ok(texts.collect())
     }
 
-    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError> {
+    fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError> {
         let panels = self.map.panels.iter().map(|&panel| {
             let cells = self.cells(sheet, panel)?;
             let shades: Vec<Shade> = cells.into_iter().map(shade).collect();
-            Ok(map_panel(
-                panel_title(panel),
-                self.map.plane,
-                shades,
-                self.grid,
-            ))
+            let mut drawn = map_panel(panel_title(panel), self.map.plane, shades, self.grid);
+            drawn.series.extend(strategy_2(self.map.plane));
+            Ok(drawn)
         });
-        Ok(Chart {
-            columns: 3,
-            key: key(),
+        let panels = panels.collect::<Result<Vec<_>, SheetError>>()?;
+        let chart = Chart {
+            columns: match self.is_of_function() {
+                true => 3,
+                // E - 1 beside Var.
+                false => 2,
+            },
+            key: key(&panels),
             levels: "digits lost".to_owned(),
-            panels: panels.collect::<Result<_, _>>()?,
             ..Chart::default()
-        })
+        };
+        Ok(vec![("", Chart { panels, ..chart })])
     }
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
@@ -284,6 +303,17 @@ pub(super) fn map_panel(title: String, plane: Plane, columns: Vec<Shade>, grid: 
             }),
         }],
     }
+}
+
+/// Where the shells of strategy 2 lie among all z and m: -z = 2/(m-1).
+fn strategy_2(plane: Plane) -> Option<Series> {
+    let m = |step: i32| 10f64.powf(f64::from(step) / 20.0) + 1.0;
+    let points = (0..70).map(|step| [2.0 / (m(step) - 1.0), m(step)]);
+    (plane == Plane::Arguments).then(|| Series {
+        name: "shells of strategy 2".to_owned(),
+        marks: Marks::Line(points.collect()),
+        look: 2,
+    })
 }
 
 /// Cells row by row from those column by column.

@@ -10,14 +10,14 @@ mod maps;
 mod sheet;
 mod simulation;
 
-pub use accuracy::{Rivals, RivalsError, accuracy, count_calls};
+pub use accuracy::{Rivals, accuracy, count_calls};
 pub use maps::stability;
 pub use sheet::{Sheet, SheetError};
 
 use super::chart::Chart;
 use super::figures::Pace;
 use crate::simulate::{CheckpointError, SceneError};
-use crate::special::shell::ShellError;
+use crate::special::shell::{Method, ShellError};
 
 /// Something to measure, and how it is shown.
 pub trait Survey: Sync {
@@ -45,11 +45,11 @@ pub trait Survey: Sync {
     /// [`Error`]
     fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error>;
 
-    /// The picture, but for title and notes.
+    /// The pictures, but for the notes, each with what its name and its title have beyond those of the survey.
     ///
     /// # Errors
     /// Where the sheet is not one of this survey.
-    fn picture(&self, sheet: &Sheet) -> Result<Chart, SheetError>;
+    fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError>;
 
     /// What it shows, as paragraphs of Markdown.
     ///
@@ -68,6 +68,14 @@ pub struct Surveys {
     /// Of the command, beside `--quick`.
     options: String,
     pub all: Vec<Box<dyn Survey>>,
+}
+
+/// A picture of a survey.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    pub name: String,
+    pub title: String,
+    pub svg: String,
 }
 
 /// Why nothing could be measured.
@@ -111,20 +119,29 @@ impl Surveys {
         Sheet::new(notes.collect(), survey.columns())
     }
 
-    /// The picture of a sheet, as SVG.
+    /// The pictures of a sheet: their names, without an ending, their titles and the SVG.
     ///
     /// # Errors
     /// Where the sheet is not one of this survey.
-    pub fn draw(&self, survey: &dyn Survey, sheet: &Sheet) -> Result<String, SheetError> {
+    pub fn draw(&self, survey: &dyn Survey, sheet: &Sheet) -> Result<Vec<Picture>, SheetError> {
         let mut notes = sheet.notes().iter().cloned();
         let title = notes.next().unwrap_or_default();
-        let chart = survey.picture(sheet)?;
-        Ok(Chart {
-            title,
-            notes: notes.collect(),
-            ..chart
-        }
-        .to_svg())
+        let notes: Vec<String> = notes.collect();
+        let pictures = survey.pictures(sheet)?.into_iter();
+        let drawn = pictures.map(|(more, chart)| {
+            let title = title.clone() + &chart.title;
+            let chart = Chart {
+                title: title.clone(),
+                notes: notes.clone(),
+                ..chart
+            };
+            Picture {
+                name: survey.name() + more,
+                title,
+                svg: chart.to_svg(),
+            }
+        });
+        Ok(drawn.collect())
     }
 
     /// The page of words: a section each survey, with its picture.
@@ -134,16 +151,51 @@ impl Surveys {
     pub fn page(&self, sheets: &[Sheet]) -> Result<String, SheetError> {
         let mut page = format!("# {}\n", self.heading);
         for (survey, sheet) in self.all.iter().zip(sheets) {
-            let (title, name) = (survey.title(), survey.name());
-            let words = survey.words(sheet)?;
-            page += &format!("\n## {title}\n\n![{title}]({name}.svg)\n\n{words}\n");
-            page += &format!("\nData: [{name}.csv]({name}.csv).\n");
+            page += &format!("\n## {}\n", survey.title());
+            for Picture { name, title, .. } in self.draw(survey.as_ref(), sheet)? {
+                page += &format!("\n![{title}]({name}.svg)\n");
+            }
+            let (name, words) = (survey.name(), survey.words(sheet)?);
+            page += &format!(
+                "\n{}\n\nData: [{name}.csv]({name}.csv).\n",
+                words.trim_end()
+            );
         }
         if let Some([.., command, machine]) = sheets.first().map(Sheet::notes) {
             page += &format!("\nMade by `{command}` on: {machine}.\n");
         }
         Ok(page)
     }
+}
+
+/// A certified method in a few words.
+fn method_words(method: Method) -> &'static str {
+    match method {
+        Method::Words => "Pfaff, machine words",
+        Method::Splitting => "Pfaff, binary splitting",
+        Method::Pfaff => "Pfaff, intervals",
+        Method::Exact => "closed form with ln",
+        Method::Moments => "central moments",
+        Method::Direct => "power series",
+        Method::Middle => "relation from the middle",
+        Method::Upwards => "relation upwards",
+        Method::Downwards => "relation downwards",
+        Method::Euler => "Euler's integral",
+        Method::Thesis => "thesis's formula",
+    }
+}
+
+/// A whole number as an exponent.
+fn raised(number: u32) -> String {
+    const DIGITS: [char; 10] = [
+        '\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}',
+        '\u{2078}', '\u{2079}',
+    ];
+    let digits = number.to_string();
+    digits
+        .bytes()
+        .map(|digit| DIGITS[usize::from(digit - b'0')])
+        .collect()
 }
 
 #[cfg(test)]
