@@ -8,33 +8,32 @@ use super::{Failure, Scene};
 use crate::number::Interval;
 use rug::{Integer, Rational};
 
-/// The most photons, as in `special::shell`: more have coefficients that are too long.
-const MOST_PHOTONS: f64 = 4096.0;
-
 /// Bits that follow those of b before the point.
-const BITS: u32 = 128;
+const BITS: u32 = 160;
 
 pub(super) fn function(scene: &Scene, function: &Interval) -> Result<f64, Failure> {
-    if scene.count > MOST_PHOTONS {
-        return Err(Failure::Cost);
-    }
     let (a, b) = coefficients(scene, function).ok_or(Failure::Overflow)?;
     Ok(scene.inner * (a + b * (scene.volume / scene.inner).ln_1p()))
 }
 
 /// a and b; `None` where one is beyond the doubles.
 fn coefficients(scene: &Scene, function: &Interval) -> Option<(f64, f64)> {
-    let size = logarithmic(scene, 64)?.abs().high().get_exp()?;
-    if i64::from(size) > i64::from(f64::MAX_EXP) {
+    let largest = f64::from(f64::MAX_EXP) * std::f64::consts::LN_2;
+    let size = logarithm_of_b(scene, BITS)?.midpoint().to_f64();
+    if size > largest + 1.0 {
         return None;
     }
-    let precision = BITS + size.max(0).unsigned_abs();
-    let b = logarithmic(scene, precision)?;
+    // ln b has an absolute error; b has as many bits before the point as it is large.
+    let precision = BITS + (size / std::f64::consts::LN_2).max(0.0) as u32;
+    let size = logarithm_of_b(scene, precision)?.exp();
+    let b = match scene.position % 2.0 == 0.0 {
+        true => size.neg(),
+        false => size,
+    };
     let shell = scene.shell()?;
     let number = |value: &Rational| Interval::from_rational(value, precision);
-    let logarithm = number(&Rational::from(&shell.volume / &shell.inner))
-        .ln_1p()
-        .ok()?;
+    let logarithm = number(&Rational::from(&shell.volume / &shell.inner));
+    let logarithm = logarithm.ln_1p().ok()?;
     // a is what F leaves: mean(1/U) = F/Va.
     let mean = function.div(&number(&shell.inner)).ok()?;
     let a = mean.sub(&b.mul(&logarithm));
@@ -42,15 +41,18 @@ fn coefficients(scene: &Scene, function: &Interval) -> Option<(f64, f64)> {
     (a.is_finite() && b.is_finite()).then_some((a, b))
 }
 
-/// b
-fn logarithmic(scene: &Scene, precision: u32) -> Option<Interval> {
+/// ln |b|
+fn logarithm_of_b(scene: &Scene, precision: u32) -> Option<Interval> {
     let shell = scene.shell()?;
-    let (l, m) = (shell.position.to_u32()?, shell.count.to_u32()?);
-    let constant = Integer::from(Integer::binomial_u(m, l)) * l;
-    let r = Rational::from(&shell.inner / &shell.volume);
+    let (l, m) = (&shell.position, &shell.count);
     let number = |value: &Rational| Interval::from_rational(value, precision);
-    let below = number(&-r.clone()).powi(i64::from(l) - 1).ok()?;
-    let above = number(&(r + 1u32)).powi(i64::from(m - l)).ok()?;
-    let product = below.mul(&above).mul_integer(&constant);
-    product.div(&number(&shell.volume)).ok()
+    let factorial = |n: Integer| number(&Rational::from(n + 1u32)).lngamma().ok();
+    let constant = factorial(m.clone())?
+        .sub(&factorial(Integer::from(l - 1u32))?)
+        .sub(&factorial(Integer::from(m - l))?);
+    let r = Rational::from(&shell.inner / &shell.volume);
+    let below = number(&r).ln().ok()?.mul_integer(&Integer::from(l - 1u32));
+    let above = number(&r).ln_1p().ok()?.mul_integer(&Integer::from(m - l));
+    let volume = number(&shell.volume).ln().ok()?;
+    Some(constant.add(&below).add(&above).sub(&volume))
 }

@@ -1,8 +1,8 @@
 //! The thesis's quantities in plain machine doubles, as one writes them down: what a user has without enclosures.
 //!
 //! Each [`Recipe`] is a formula in operations on doubles, without a bound of its error. Its inputs are exact ([`Scene`]), and
-//! each is given its best case: coefficients are rounded correctly, sums run until a term no longer matters, a quadrature has
-//! the nodes that its theorem asks for. So what is lost is the formula's own. Where a recipe can tell that it has no
+//! each is given its best case: coefficients and starting values are rounded correctly, sums run until the rest no longer matters, a
+//! quadrature has the nodes that it needs. So what is lost is the formula's own. Where a recipe can tell that it has no
 //! answer it says why ([`Failure`]); what it cannot tell are wrong digits.
 //!
 //! | recipe | formula | what it is known to suffer from |
@@ -11,8 +11,8 @@
 //! | [`Recipe::Pfaff`] | Pfaff's series of positive terms, DLMF 15.8.1 | many terms for large -z |
 //! | [`Recipe::Closed`] | `a + b ln(1 + V/Va)`, a and b rounded correctly | a and b ln cancel |
 //! | [`Recipe::Upwards`], [`Recipe::Downwards`], [`Recipe::Middle`] | the contiguous relation along the shell | errors that grow, long walks |
-//! | [`Recipe::Moments`] | central moments of U | thick shells |
-//! | [`Recipe::Euler`] | Euler's integral, DLMF 15.6.1, by Fejér's rule | many nodes |
+//! | [`Recipe::Moments`] | central moments of U | terms that grow in thick shells of few photons |
+//! | [`Recipe::Euler`] | Euler's integral, DLMF 15.6.1, by the trapezoidal rule | nothing, with a rule that follows the peak |
 //! | [`Recipe::Formula`] | the thesis's 2.102 and 2.104 on the correctly rounded F | both cancel |
 //! | [`Recipe::Certified`] | [`special::doubles`](crate::special::doubles) | whole volumes equal to the number of photons only |
 
@@ -28,7 +28,7 @@ use crate::special::doubles::neighbours;
 use crate::special::shell::Quantity;
 use rug::{Integer, Rational};
 
-/// No recipe takes more terms, steps or nodes times nodes than this.
+/// No recipe takes more terms, steps or nodes than this.
 pub const MOST_STEPS: u32 = 10_000;
 
 /// A sum ends before a rest of a quarter of the last bit.
@@ -64,7 +64,7 @@ pub enum Recipe {
     Middle,
     /// Central moments.
     Moments,
-    /// Euler's integral by Fejér's first rule.
+    /// Euler's integral by the trapezoidal rule in the logit of x.
     Euler,
     /// Formulas 2.102 and 2.104 on the correctly rounded F.
     Formula,

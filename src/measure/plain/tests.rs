@@ -53,15 +53,21 @@ fn each_failure_is_told() {
     // z = -2 and z = -1: the terms grow, the terms crawl.
     assert_eq!(at(Recipe::Direct, photon(1.0, 2.0)), Cell::Divergence);
     assert_eq!(at(Recipe::Direct, photon(3.0, 3.0)), Cell::Cost);
-    // Coefficients beyond 2^1024, and beyond reason.
+    // Coefficients beyond 2^1024; and tiny ones.
     assert_eq!(at(Recipe::Closed, photon(200.0, 400.0)), Cell::Overflow);
-    assert_eq!(at(Recipe::Closed, photon(2500.0, 5000.0)), Cell::Cost);
-    // Long walks, many nodes.
+    let thick = Scene {
+        inner: 100.0,
+        volume: 30_000.0,
+        position: 15_000.0,
+        count: 30_000.0,
+    };
+    assert!(at(Recipe::Closed, thick) <= Cell::Lost(20));
+    // Long walks: errors that grow, and too many steps.
     let far = photon(30_000.0, 60_000.0);
-    assert_eq!(at(Recipe::Upwards, far), Cell::Cost);
-    assert_eq!(at(Recipe::Downwards, far), Cell::Cost);
+    assert_eq!(at(Recipe::Upwards, far), Cell::Overflow);
+    assert_eq!(at(Recipe::Downwards, far), Cell::Overflow);
     assert!(at(Recipe::Middle, far) <= Cell::Lost(20));
-    assert_eq!(at(Recipe::Euler, far), Cell::Cost);
+    assert_eq!(at(Recipe::Middle, photon(1.0, 60_000.0)), Cell::Cost);
     // A shell much thicker than what it holds, and volumes that are no whole numbers.
     let thick = Scene {
         inner: 0.25,
@@ -69,7 +75,7 @@ fn each_failure_is_told() {
         position: 1.0,
         count: 8.0,
     };
-    assert_eq!(at(Recipe::Moments, thick), Cell::Refusal);
+    assert_eq!(at(Recipe::Moments, thick), Cell::Divergence);
     assert_eq!(at(Recipe::Certified, thick), Cell::Refusal);
     let centre = Scene {
         inner: 0.0,
@@ -93,13 +99,26 @@ proptest! {
         prop_assert!(cell(Recipe::Middle, Quantity::Function, &scene) <= Cell::Lost(20));
     }
 
-    /// (l-V)/A + (k/A) x cancels where l is much smaller than m: half the digits of k are lost. Moments lose none.
+    /// (l-V)/A + (k/A) x cancels: in mid-shell half the digits of k are lost, at its first photon up to all. Moments lose none.
     #[test]
-    fn moments_keep_the_excess_and_pfaff_half_of_it(k in 4.0f64..1e12, part in 0.0f64..1.0) {
+    fn moments_keep_the_excess_where_pfaff_loses_digits_of_k(k in 4.0f64..1e12, part in 0.0f64..1.0) {
         let m = (2.0 * k).sqrt().round().max(3.0);
         let scene = photon((m * part).ceil().max(1.0), m);
         prop_assert!(cell(Recipe::Moments, Quantity::Excess, &scene) <= Cell::Lost(20), "{scene:?}");
-        let half = Cell::Lost((5.0 * k.log10()) as u8 + 25);
-        prop_assert!(cell(Recipe::Pfaff, Quantity::Excess, &scene) <= half, "{scene:?}");
+        let all = Cell::Lost((10.0 * k.log10()) as u8 + 25);
+        prop_assert!(cell(Recipe::Pfaff, Quantity::Excess, &scene) <= all, "{scene:?}");
+    }
+
+    /// The rule follows the peak wherever it is, however narrow.
+    #[test]
+    fn the_trapezoidal_rule_has_nodes_enough(log_m in 0.0f64..6.0, part in 0.0f64..1.0, log_z in -3.0f64..3.0) {
+        let m = 10f64.powf(log_m).round();
+        let scene = Scene {
+            inner: f64::from((m / 10f64.powf(log_z)) as f32),
+            volume: m,
+            position: (m * part).ceil().max(1.0),
+            count: m,
+        };
+        prop_assert!(cell(Recipe::Euler, Quantity::Function, &scene) <= Cell::Lost(25), "{scene:?}");
     }
 }

@@ -66,7 +66,7 @@ fn the_power_series_diverges_where_the_shell_is_thicker_than_what_it_holds() {
 
 #[test]
 fn series_of_one_sign_and_moments_lose_little_where_they_answer() {
-    for (recipe, answered) in [(Recipe::Pfaff, 300), (Recipe::Moments, 180)] {
+    for (recipe, answered) in [(Recipe::Pfaff, 300), (Recipe::Moments, 250)] {
         let cells = panel("arguments-function", Quantity::Function, recipe);
         let answers = cells.iter().filter(|(_, cell)| *cell <= Cell::Lost(159));
         for (scenes, cell) in answers.clone() {
@@ -78,36 +78,28 @@ fn series_of_one_sign_and_moments_lose_little_where_they_answer() {
 }
 
 #[test]
-fn the_quadrature_has_nodes_enough_where_it_answers() {
+fn the_quadrature_answers_everywhere() {
     for name in ["photons-function", "arguments-function"] {
-        let cells = panel(name, Quantity::Function, Recipe::Euler);
-        let answers = cells.iter().filter(|(_, cell)| *cell != Cell::Cost);
-        for (scenes, cell) in answers.clone() {
-            assert!(*cell <= Cell::Lost(30), "{:?} {cell}", scenes[0]);
+        for (scenes, cell) in panel(name, Quantity::Function, Recipe::Euler) {
+            assert!(cell <= Cell::Lost(25), "{:?} {cell}", scenes[0]);
         }
-        assert!(answers.count() > 50);
     }
 }
 
 #[test]
 fn the_closed_form_has_the_digits_that_cancellation_leaves() {
-    let mut seen = std::collections::BTreeSet::new();
+    let mut wrong = 0;
     for (scenes, cell) in panel("photons-function", Quantity::Function, Recipe::Closed) {
         let (least, most) = (scenes[0].count.min(scenes[8].count), scenes[8].count);
         match cell {
             Cell::Lost(_) => assert!(least <= 40.0, "{:?} {cell}", scenes[0]),
             Cell::Wrong => assert!(most >= 10.0),
             Cell::Overflow => assert!(most >= 100.0),
-            Cell::Cost => assert!(most > 4096.0),
-            Cell::Refusal | Cell::Divergence => panic!("{:?} {cell}", scenes[0]),
+            _ => panic!("{:?} {cell}", scenes[0]),
         }
-        seen.insert(
-            std::mem::discriminant(&cell)
-                .clone()
-                .eq(&std::mem::discriminant(&Cell::Wrong)),
-        );
+        wrong += u32::from(cell == Cell::Wrong);
     }
-    assert_eq!(seen.len(), 2);
+    assert!(wrong > 10);
 }
 
 #[test]

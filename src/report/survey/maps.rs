@@ -163,26 +163,26 @@ impl Failures {
         match (self.map.plane, self.is_of_function()) {
             (Plane::Photons, true) => {
                 "From left to right k grows, and with it the shell: the shells grow thin, Va becomes much larger than V. From bottom to top one goes from the first \
-                 photon of a shell to its last. Both series, the moments and the relation from the middle are good wherever they end. The power series crawls in the \
-                 first shell shown, where z = -1. The relation from an end of the shell loses digits on its way to the middle and wins them back towards the \
-                 other end; so it is good along one edge or two, and long shells are too many steps. In the closed form a and b ln(1 + V/Va) cancel to \
-                 more digits than a double has; then they overflow. Euler's integral needs about as many nodes as the shell has photons."
+                 photon of a shell to its last. Both series, the moments and Euler's integral are good everywhere but for the power series in the first \
+                 shell shown, where z = -1 and its terms crawl. The relation from an end of the shell loses digits on its way to the middle, until no number is left, and wins \
+                 them back towards the other end; from the middle it loses none, but walks of more than 10,000 steps are not made. In the closed form a and b ln(1 + V/Va) \
+                 cancel to more digits than a double has; then they overflow."
             }
             (Plane::Photons, false) => {
                 "The same plane, for what the thesis is after. Its formula takes the correctly rounded F, the best that any F in doubles can be, and still loses the digits of \
-                 k in E - 1 and twice as many in Var, since 2.102 and 2.104 cancel. Pfaff's series for x = mean((Va+V)/U) - 1 loses half of that; E - 1 at the first \
-                 photons of a shell, where (l-V)/A + (k/A) x cancels. The central moments, and the certified doubles, which rest on them, lose nothing that \
-                 grows with k."
+                 k in E - 1 and twice as many in Var, since 2.102 and 2.104 cancel. From Pfaff's series for x = mean((Va+V)/U) - 1 less is lost: half the digits of k in E - 1 in \
+                 mid-shell, more towards its first photon, where (l-V)/A + (k/A) x cancels, A = Va+V; and one and a half times the digits of k in Var. The central moments, and \
+                 the certified doubles, which rest on them, lose nothing that grows with k."
             }
             (Plane::Arguments, true) => {
                 "From left to right the shell grows thick: at the left z is near 0, at the right V is much larger than Va. From bottom to top it holds more photons. The power \
                  series has its border at z = -1, but for many photons its first terms fall so fast that it ends before they grow. Pfaff's series converges everywhere, \
-                 more and more slowly to the right. The moments refuse where the shell is too thick. The closed form is good for few photons, and for the more the thicker \
-                 the shell is."
+                 more and more slowly to the right. The terms of the moments grow where the shell is thick and holds few photons. The closed form is good for few photons, and \
+                 where the shell is thick. Euler's integral is good everywhere, by a rule that follows the peak of its integrand."
             }
             (Plane::Arguments, false) => {
                 "E - 1 and Var over the same plane. The thesis's formulas lose more the more photons a shell holds; 2.102 also the thinner the shell is, and 2.104 both where it is \
-                 thin and where it is thick. The moments do not cancel, and refuse where the shell is too thick for them."
+                 thin and where it is thick. The moments do not cancel; their terms grow where the shell is thick and holds few photons."
             }
         }
     }

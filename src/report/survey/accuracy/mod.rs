@@ -40,7 +40,7 @@ const FULL: Effort = Effort {
 
 const QUICK: Effort = Effort {
     photons: &[4, 5050, 1_000_000_000_000],
-    digits: &[15, 50, 300, 1000],
+    digits: &[15, 100, 1000],
     most: 1e7,
     most_counted: 1e6,
     rounds: 3,
@@ -183,7 +183,7 @@ impl Survey for Costs {
             Quantity::Variance => "the variance of k/U",
             other => quantity_words(other),
         };
-        format!("What digits of {what} cost, one photon of strategy 2")
+        format!("What digits of {what} cost")
     }
 
     fn notes(&self) -> Vec<String> {
@@ -310,3 +310,6 @@ fn agree(question: Question, answers: &[Answer]) -> Result<(), Error> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;
