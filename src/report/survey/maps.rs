@@ -17,8 +17,8 @@ const FULL: Grid = Grid {
     rows: 150,
 };
 const QUICK: Grid = Grid {
-    columns: 77,
-    rows: 50,
+    columns: 46,
+    rows: 30,
 };
 
 const FAILURES: [Cell; 5] = [
