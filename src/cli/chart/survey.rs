@@ -55,8 +55,8 @@ impl Desk {
         let text = fs::read_to_string(self.file(&format!("{}.csv", survey.name()))).ok()?;
         let sheet: Sheet = text.parse().ok()?;
         // One that another version of the program, or another hand, made of it is measured again.
-        let whole = sheet.is_of(empty) && survey.pictures(&sheet).is_ok();
-        whole.then_some(sheet)
+        let good = sheet.is_of(empty) && survey.is_whole(&sheet) && survey.pictures(&sheet).is_ok();
+        good.then_some(sheet)
     }
 
     fn measured(&self, survey: &dyn Survey, empty: Sheet) -> Result<Sheet, Failure> {

@@ -139,6 +139,10 @@ impl Survey for Choice {
         self.grid.columns as usize
     }
 
+    fn is_whole(&self, sheet: &Sheet) -> bool {
+        sheet.rows().len() == self.units() * self.grid.rows as usize
+    }
+
     fn side_by_side(&self) -> bool {
         true
     }

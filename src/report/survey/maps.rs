@@ -229,6 +229,10 @@ impl Survey for Failures {
         self.grid.columns as usize
     }
 
+    fn is_whole(&self, sheet: &Sheet) -> bool {
+        sheet.rows().len() == self.units() * self.grid.rows as usize
+    }
+
     fn side_by_side(&self) -> bool {
         true
     }

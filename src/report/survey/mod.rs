@@ -36,6 +36,9 @@ pub trait Survey: Sync {
     /// How many parts are measured one by one; each is kept once it is done.
     fn units(&self) -> usize;
 
+    /// Whether all units are there: of a file that somebody may have cut.
+    fn is_whole(&self, sheet: &Sheet) -> bool;
+
     /// Whether units may be measured at the same time: not where time is measured.
     fn side_by_side(&self) -> bool;
 

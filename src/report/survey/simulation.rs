@@ -90,6 +90,10 @@ impl Survey for Runs {
         PHOTONS.len() * self.steps()
     }
 
+    fn is_whole(&self, sheet: &Sheet) -> bool {
+        sheet.rows().len() == self.units()
+    }
+
     fn side_by_side(&self) -> bool {
         true
     }

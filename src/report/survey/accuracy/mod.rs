@@ -205,6 +205,11 @@ impl Survey for Costs {
         self.effort.photons.len() * self.effort.digits.len()
     }
 
+    fn is_whole(&self, sheet: &Sheet) -> bool {
+        let chosen = sheet.column("way", |cell| Some(cell == "choice"));
+        chosen.is_ok_and(|chosen| chosen.iter().filter(|is| **is).count() == self.units())
+    }
+
     fn side_by_side(&self) -> bool {
         false
     }

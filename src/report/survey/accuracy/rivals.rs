@@ -63,8 +63,8 @@ fn number(cell: &str, least: f64) -> Option<String> {
 fn name(tool: &str, version: &str) -> String {
     let own = version.split(" + ").next().unwrap_or_default();
     let words = format!("{RIVAL}{tool} {own}");
-    // A bar would end a cell in a table of Markdown.
-    words.trim().replace('|', "/")
+    // A bar would end a cell in a table of Markdown, a bracket begin markup.
+    words.trim().replace('|', "/").replace(['<', '>'], " ")
 }
 
 impl Rivals {
