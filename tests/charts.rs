@@ -2,22 +2,18 @@
 #![cfg(feature = "engine")]
 
 use claimcheck::measure::plain::{Recipe, Scene};
-use claimcheck::measure::stability::{Cell, Grid, Map, maps, places, truth};
-use claimcheck::number::Interval;
+use claimcheck::measure::stability::{Cell, Grid, Truth, maps, truth};
 use claimcheck::report::figures::Pace;
 use claimcheck::report::survey::{Rivals, Sheet, Surveys, accuracy, stability};
-use claimcheck::special::shell::{Method, Quantity, choose};
+use claimcheck::special::shell::{Method, Quantity, ShellError, choose};
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The grid of a full run.
-const GRID: Grid = Grid {
-    columns: 230,
-    rows: 150,
-};
+/// The grid of the documents.
+const GRID: Grid = Grid::FULL;
 
 fn documents() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/charts")
@@ -39,12 +35,10 @@ fn agree(surveys: &Surveys) {
     for survey in &surveys.all {
         let name = survey.name();
         let sheet = sheet(&name);
-        for picture in surveys
-            .draw(survey.as_ref(), &sheet)
-            .expect("its own sheet")
-        {
-            let file = format!("{}.svg", picture.name);
-            assert!(picture.svg == read(&documents().join(&file)), "{file}");
+        let pictures = surveys.pictures(survey.as_ref(), &sheet);
+        for (name, chart) in pictures.expect("its own sheet") {
+            let file = format!("{name}.svg");
+            assert!(chart.to_svg() == read(&documents().join(&file)), "{file}");
         }
         sheets.push(sheet);
     }
@@ -62,7 +56,7 @@ fn the_documents_are_drawn_from_their_data() {
 }
 
 /// F, E - 1 and Var to 25 digits by the cheapest method that the choice would not take.
-fn second_truth(scene: &Scene) -> [Interval; 3] {
+fn second_truth(scene: &Scene) -> Truth {
     let quantities = [Quantity::Function, Quantity::Excess, Quantity::Variance];
     let shell = scene.shell().expect("finite");
     let (first, _) = choose(Quantity::Variance, &shell, 25).expect("a method");
@@ -76,7 +70,21 @@ fn second_truth(scene: &Scene) -> [Interval; 3] {
         .into_iter()
         .filter_map(|method| method.enclose_all(quantities, &shell, bits(method)).ok());
     let mut good = answers.filter(|values| values.iter().all(|value| value.agrees_to(25)));
-    good.next().expect("a second method answers")
+    let [function, excess, variance] = good.next().expect("a second method answers");
+    Truth {
+        function,
+        excess,
+        variance,
+    }
+}
+
+/// The same, once it has been held against the one that was drawn.
+fn checked_truth(scene: &Scene) -> Result<Truth, ShellError> {
+    let (first, second) = (truth(scene)?, second_truth(scene));
+    assert!(first.function.overlaps(&second.function), "{scene:?}");
+    assert!(first.excess.overlaps(&second.excess), "{scene:?}");
+    assert!(first.variance.overlaps(&second.variance), "{scene:?}");
+    Ok(second)
 }
 
 /// Some cells of a map, each drawn at random: its column and row.
@@ -89,24 +97,6 @@ fn some_cells(count: usize, seed: u64) -> Vec<(u32, u32)> {
         )
     };
     (0..count).map(|_| cell()).collect()
-}
-
-/// The worst of all scenes behind a cell, from the second truth.
-fn again(map: &Map, (column, row): (u32, u32)) -> Vec<Cell> {
-    let mut cells = vec![Cell::Lost(0); map.panels.len()];
-    for (along, upwards) in places(GRID, column, row) {
-        let scene = map.plane.scene(along, upwards);
-        let second = second_truth(&scene);
-        let first = truth(&scene).expect("there is one");
-        assert!(
-            first.iter().zip(&second).all(|(a, b)| a.overlaps(b)),
-            "{scene:?}"
-        );
-        for (worst, cell) in cells.iter_mut().zip(map.cells(&scene, &second)) {
-            *worst = (*worst).max(cell);
-        }
-    }
-    cells
 }
 
 /// Powers, logarithms and cosines are the system's: another one may round them in another way.
@@ -126,7 +116,8 @@ fn ten_thousand_cells_again_by_a_second_method() {
             .par_iter()
             .for_each(|&(column, row)| {
                 let drawn = &sheet.rows()[(column * GRID.rows + row) as usize];
-                let cells = again(&map, (column, row));
+                let cells = map.worst(GRID.places(column, row), checked_truth);
+                let cells = cells.expect("there is a truth");
                 for ((text, cell), (_, recipe)) in drawn[2..].iter().zip(cells).zip(&map.panels) {
                     let drawn: Cell = text.parse().expect("a cell");
                     assert!(
@@ -160,6 +151,16 @@ fn printed(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
+/// What a command that refuses says on stderr.
+fn refused(output: &Output) -> String {
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn write(path: &Path, text: &str) {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
 #[test]
 fn a_killed_run_goes_on_and_comes_to_the_same_bytes() {
     let out = folder("stability");
@@ -168,59 +169,60 @@ fn a_killed_run_goes_on_and_comes_to_the_same_bytes() {
     assert_eq!(said.matches(": made\n").count(), 7, "{said}");
     let name = |ending: &str| out.join(format!("stability-arguments-moments.{ending}"));
     let (data, picture) = (read(&name("csv")), read(&name("svg")));
+    let lines: Vec<&str> = data.split_inclusive('\n').collect();
+    let notes = lines.iter().filter(|line| line.starts_with('#')).count();
     // As a killed run leaves it: 20 columns of 30 cells, and half a row.
-    let mut lines = data.lines();
-    let head: Vec<&str> = lines
-        .by_ref()
-        .take_while(|line| line.starts_with('#'))
-        .collect();
-    let rows: Vec<&str> = lines.collect();
-    let columns = data
-        .lines()
-        .nth(head.len())
-        .expect("the names of the columns");
-    let part = format!(
-        "{}\n{columns}\n{}\n# done 20\n{}",
-        head.join("\n"),
-        rows[..600].join("\n"),
-        &rows[600][..9]
-    );
-    fs::write(name("csv.part"), part).expect("writable");
-    fs::remove_file(name("csv")).expect("it was there");
-    fs::remove_file(name("svg")).expect("it was there");
-    let said = printed(&chart(&out, &["stability", "--quick", "--jobs", "1"]));
-    assert_eq!(said.matches("there already").count(), 5, "{said}");
-    assert!(read(&name("csv")) == data && read(&name("svg")) == picture);
-    assert!(!name("csv.part").exists());
-    // A file that lost a row is measured again.
-    let cut: String = data
-        .lines()
-        .take(700)
-        .map(|line| format!("{line}\n"))
-        .collect();
-    fs::write(name("csv"), cut).expect("writable");
-    let said = printed(&chart(&out, &quick));
-    assert_eq!(said.matches("there already").count(), 5, "{said}");
-    assert!(read(&name("csv")) == data);
-    // A part of another command is of no use.
-    fs::write(name("csv.part"), "# another\na,b\n1,2\n# done 3\n").expect("writable");
-    fs::remove_file(name("csv")).expect("it was there");
-    printed(&chart(&out, &quick));
+    let whole = notes + 1 + 600;
+    let part = lines[..whole].concat() + &lines[whole][..9];
+    // Or with a row twice, a row less, a cell that is none.
+    let row = lines[whole - 40];
+    let twice = data.replacen(row, &format!("{row}{row}"), 1);
+    let less = data.replacen(row, "", 1);
+    let none = data.replacen(",0.", ",NaN0.", 1);
+    for (ending, damaged) in [
+        ("csv.part", &part),
+        ("csv", &part),
+        ("csv", &twice),
+        ("csv", &less),
+        ("csv.part", &none),
+    ] {
+        assert_ne!(damaged, &data);
+        fs::remove_file(name("csv")).expect("it was there");
+        fs::remove_file(name("svg")).expect("it was there");
+        write(&name(ending), damaged);
+        let said = printed(&chart(&out, &["stability", "--quick", "--jobs", "1"]));
+        assert_eq!(said.matches("there already").count(), 5, "{said}");
+        assert!(read(&name("csv")) == data && read(&name("svg")) == picture);
+        assert!(!name("csv.part").exists());
+    }
+    // Of another command, and of nobody's.
+    let said = refused(&chart(&out, &["stability"]));
+    assert!(said.contains("by another command") && said.contains("name another folder"));
+    write(&name("csv.part"), "# another\na,b\n1,2\n");
+    assert!(refused(&chart(&out, &quick)).contains("moments.csv.part was made by another"));
     assert!(read(&name("csv")) == data);
 }
 
 #[test]
 fn the_quick_chart_of_costs_has_every_way() {
     let out = folder("accuracy");
-    let rivals = out.with_extension("rivals.csv");
-    fs::create_dir_all(out.parent().expect("it has one")).expect("writable");
-    let text = "# a machine\ntool,version,quantity,k,digits asked,digits right,seconds\n\
-        other,1.2 + 3,mean,5050,15,9.5,1e-3\nother,1.2 + 3,mean,77,15,9.5,1e-3\n";
-    fs::write(&rivals, text).expect("writable");
-    let rivals = rivals.to_str().expect("a name");
-    let options = ["accuracy", "--quick", "--rivals", rivals];
+    fs::create_dir_all(&out).expect("writable");
+    let file = out.join("other figures.csv");
+    let figures = |digits: &str| {
+        let text = "# a machine\ntool,version,quantity,k,digits asked,digits right,seconds\n\
+            other,1.2 + 3,mean,5050,15,9.5,1e-3\nother,1.2 + 3,mean,77,15,9.5,1e-3\n";
+        write(&file, &text.replace("9.5", digits));
+    };
+    figures("9.5");
+    let options = [
+        "accuracy",
+        "--quick",
+        "--rivals",
+        file.to_str().expect("a name"),
+    ];
     assert!(printed(&chart(&out, &options)).contains("accuracy.md: made"));
-    let data = read(&out.join("accuracy-mean.csv"));
+    let [mean, page] = ["accuracy-mean.csv", "accuracy.md"].map(|name| out.join(name));
+    let data = read(&mean);
     for way in [
         "choice",
         "doubles",
@@ -232,10 +234,18 @@ fn the_quick_chart_of_costs_has_every_way() {
     ] {
         assert!(data.contains(&format!("\n5050,15,{way},")), "{way}");
     }
-    assert!(data.contains("\n5050,15,rival: other 1.2,9.5,1e-3,,\n") && !data.contains("\n77,"));
-    let page = read(&out.join("accuracy.md"));
-    assert!(page.contains("| other 1.2 |") && page.contains("(9.5) |"));
-    assert!(printed(&chart(&out, &options)).contains("there already"));
+    assert!(data.contains("asked for 15, 100 and 1000 digits"));
+    assert!(data.ends_with("\n5050,15,rival: other 1.2,9.5,1e-3,,\n") && !data.contains("\n77,"));
+    assert!(data.contains("--quick --out . --rivals FILE\n"));
+    assert!(read(&page).contains("| other 1.2 |") && read(&page).contains("(9.5) |"));
+    // The other programs' figures are those of now, what was measured stays.
+    figures("9.8");
+    assert!(printed(&chart(&out, &options)).contains("accuracy-mean: there already"));
+    assert_eq!(read(&mean), data.replace(",9.5,", ",9.8,"));
+    assert!(read(&page).contains("(9.8) |"));
+    let said = printed(&chart(&out, &["accuracy", "--quick"]));
+    assert!(said.contains("accuracy-mean: there already"));
+    assert!(!read(&mean).contains("rival") && !read(&page).contains("Other programs"));
 }
 
 #[test]
@@ -252,21 +262,17 @@ fn what_is_no_file_of_figures_is_told() {
             "`y` in the column `digits asked`, row 1",
         ),
     ] {
-        fs::write(&file, text).expect("writable");
-        let output = chart(
-            &out,
-            &[
-                "accuracy",
-                "--quick",
-                "--rivals",
-                file.to_str().expect("a name"),
-            ],
-        );
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{said}");
+        write(&file, text);
+        let file = file.to_str().expect("a name");
+        let said = refused(&chart(&out, &["accuracy", "--quick", "--rivals", file]));
         assert!(
             said.contains(message) && said.contains("--figures"),
             "{said}"
         );
     }
+    let folder = out.parent().expect("it has one").to_str().expect("a name");
+    let said = refused(&chart(&out, &["accuracy", "--quick", "--rivals", folder]));
+    assert!(said.contains("no ordinary file"), "{said}");
+    let said = refused(&chart(&file, &["accuracy", "--quick"]));
+    assert!(said.contains("is no folder"), "{said}");
 }

@@ -153,12 +153,15 @@ fn what_is_there_is_left() {
         ]
     );
 
-    // One that is missing, or that another command made, is made again.
+    // One that is missing is made again, one that another command made is never replaced.
     fs::remove_file(out.join("figure-3.2.svg")).expect("it was made");
     let third = printed(&make(&out, &options));
     assert!(third.contains("2.10.svg: there") && third.contains("3.2.svg: made"));
-    let full = printed(&make(&out, &["--only", "3.2"]));
-    assert_eq!(full, "figure-3.2.csv, figure-3.2.svg: made\n");
+    let full = make(&out, &["--only", "3.3,3.2"]);
+    assert_eq!(full.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&full.stderr);
+    assert!(said.contains("figure-3.2.csv was made by another command"));
+    assert!(full.stdout.is_empty());
 }
 
 #[test]
@@ -194,5 +197,5 @@ fn bad_input_is_told() {
     let output = make(&file, &["--only", "2.9"]);
     fs::remove_file(&file).expect("it is still there");
     assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("cannot be made"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("is no folder"));
 }

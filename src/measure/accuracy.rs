@@ -254,17 +254,14 @@ mod tests {
                         digits,
                     };
                     let calls = question.calls();
-                    let truth = calls[0].answer().expect("the choice answers");
-                    let mut answers = 0;
-                    for call in calls.iter().filter(|call| call.estimate() < 1e7) {
-                        let value = call.answer();
-                        answers += u32::from(value.is_ok());
-                        assert!(
-                            value.is_err_and(|_| true)
-                                || call.answer().expect("just now").overlaps(&truth)
-                        );
+                    let cheap = calls.iter().filter(|call| call.estimate() < 1e7);
+                    let answers: Vec<Interval> =
+                        cheap.filter_map(|call| call.answer().ok()).collect();
+                    assert!(answers.len() >= 4, "{question:?}: {}", answers.len());
+                    // Intervals that overlap in pairs have a point in common.
+                    for (index, one) in answers.iter().enumerate() {
+                        assert!(answers[..index].iter().all(|other| one.overlaps(other)));
                     }
-                    assert!(answers >= 4, "{question:?}: {answers}");
                 }
             }
         }
@@ -276,19 +273,5 @@ mod tests {
             assert_eq!(way.to_string().parse(), Ok(way));
         }
         assert_eq!("simulation".parse::<Way>(), Err(NoWay));
-    }
-
-    #[test]
-    fn a_call_takes_time() {
-        let question = Question {
-            quantity: Quantity::Mean,
-            k: 100,
-            digits: 50,
-        };
-        for call in question.calls() {
-            if call.estimate() < 1e6 {
-                assert!(call.seconds() > 0.0);
-            }
-        }
     }
 }

@@ -3,26 +3,24 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// What is counted: [`Call::run`](super::accuracy::Call::run).
 const COUNTED: &str = "claimcheck::measure::accuracy::Call::run";
 
-/// Whether instructions can be counted here.
-pub fn can_count() -> bool {
-    let tried = Command::new("valgrind")
-        .arg("--version")
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status();
-    tried.is_ok_and(|status| status.success())
-}
-
-/// The instructions of each of the calls that a program makes; `None` where they cannot be counted, or are not so many.
-pub fn count(program: &Path, arguments: &[String], calls: usize) -> Option<Vec<u64>> {
+/// The instructions of each of the calls that a program makes; `None` where they cannot be counted, are not so many, or where it takes
+/// longer than `patience`.
+pub fn count(
+    program: &Path,
+    arguments: &[String],
+    calls: usize,
+    patience: Duration,
+) -> Option<Vec<u64>> {
     let folder = Folder::new()?;
-    let status = Command::new("valgrind")
+    let counter = Command::new("valgrind")
         .arg("--tool=callgrind")
         .arg(format!("--toggle-collect={COUNTED}"))
         .arg(format!("--dump-after={COUNTED}"))
@@ -35,14 +33,31 @@ pub fn count(program: &Path, arguments: &[String], calls: usize) -> Option<Vec<u
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
-        .status()
+        .spawn()
         .ok()?;
-    if !status.success() {
+    if !succeeds(counter, patience) {
         return None;
     }
     (1..=calls)
         .map(|call| counted(&folder.0.join(format!("out.{call}"))))
         .collect()
+}
+
+/// Waits for a program, and ends it when patience is at its end.
+fn succeeds(mut program: Child, patience: Duration) -> bool {
+    let start = Instant::now();
+    loop {
+        match program.try_wait() {
+            Ok(Some(status)) => return status.success(),
+            Ok(None) if start.elapsed() < patience => thread::sleep(Duration::from_millis(10)),
+            _ => {
+                // It may have ended meanwhile.
+                let _ = program.kill();
+                let _ = program.wait();
+                return false;
+            }
+        }
+    }
 }
 
 /// The sum in a file of callgrind's.
@@ -75,5 +90,17 @@ impl Drop for Folder {
     fn drop(&mut self) {
         // What is left in the folder of temporary files does no harm.
         let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_hangs_is_ended() {
+        let sleeper = |seconds: &str| Command::new("sleep").arg(seconds).spawn().expect("sleep");
+        assert!(succeeds(sleeper("0"), Duration::from_secs(60)));
+        assert!(!succeeds(sleeper("600"), Duration::from_millis(20)));
     }
 }

@@ -1,14 +1,14 @@
 //! `claimcheck chart accuracy`: what digits cost.
 
-use super::super::output::{Exit, Failure};
+use super::super::output::{Exit, Failure, to_stderr};
 use super::survey::Desk;
+use super::text_of;
 use crate::measure::accuracy::Question;
-use crate::measure::instructions::can_count;
 use crate::report::figures::Pace;
-use crate::report::survey::{Rivals, accuracy, count_calls};
+use crate::report::survey::{Rivals, accuracy, can_count, count_calls};
 use crate::special::shell::Quantity;
 use clap::{Args, ValueEnum};
-use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Times every method against the digits that it proves, and the choice among them
@@ -30,8 +30,9 @@ pub(super) struct Accuracy {
 }
 
 const RESUMED: &str = "\
-Writes accuracy-mean and accuracy-variance as CSV and SVG, and accuracy.md, which tells them in words. A run that was killed goes on
-where it stopped. Instructions are counted where valgrind is installed. Times want a machine that does nothing else.";
+Writes accuracy-mean and accuracy-variance as CSV and SVG, and accuracy.md, which tells them in words. A run that was killed goes on \
+where it stopped; what is finished is only drawn again. Instructions are counted where valgrind is installed. Times want a machine \
+that does nothing else.";
 
 impl Accuracy {
     pub(super) fn run(self) -> Result<Exit, Failure> {
@@ -39,16 +40,16 @@ impl Accuracy {
             Some(path) => read(path)?,
             None => Rivals::default(),
         };
-        let counter = std::env::current_exe().ok().filter(|_| can_count());
-        let pace = match self.quick {
-            true => Pace::Quick,
-            false => Pace::Full,
-        };
+        let counter = std::env::current_exe().ok();
+        let counter = counter.filter(|program| can_count(program));
+        if counter.is_none() {
+            to_stderr("note: instructions are not counted, valgrind is not there or fails");
+        }
         let desk = Desk {
             out: self.out,
             quiet: self.quiet,
         };
-        desk.run(&accuracy(pace, &rivals, counter))
+        desk.run(&accuracy(Pace::of(self.quick), &rivals, counter))
     }
 }
 
@@ -56,14 +57,16 @@ fn read(path: &Path) -> Result<Rivals, Failure> {
     let failed = |error: &dyn std::fmt::Display, hint| {
         Failure::input(&format!("{}: {error}", path.display()), Some(hint))
     };
-    let text = fs::read_to_string(path).map_err(|error| failed(&error, "name a CSV file"))?;
-    text.parse().map_err(|error| {
+    let text = text_of(path).and_then(|text| text.ok_or(io::ErrorKind::NotFound.into()));
+    let text = text.map_err(|error| failed(&error, "name a CSV file"))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Rivals::read(&name, &text).map_err(|error| {
         let hint = "benches/rivals/run.py --figures FILE writes such a file";
         failed(&error, hint)
     })
 }
 
-/// Makes calls for a counter that watches: [`Accuracy`] runs it under valgrind
+/// Makes calls for a counter that watches: `chart accuracy` runs it under valgrind
 #[derive(Debug, Args)]
 pub(super) struct Count {
     quantity: What,

@@ -2,9 +2,9 @@
 
 use super::super::output::{Exit, Failure, internal, replace_file, to_stdout};
 use super::super::progress::Bar;
+use super::{found, make_folder, not_ours, threads};
 use crate::report::figures::{Error, Figure, Made, Pace, figures};
 use clap::Args;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Makes the figures of the thesis again: the data of each as CSV, its picture as SVG
@@ -29,29 +29,25 @@ pub(super) struct Figures {
 }
 
 const RESUMED: &str = "\
-A figure is left as it is where both of its files are there and name the command and the version of the
-program that would make them. The same command gives the same bytes, for any number of threads.";
+A figure that is there already, by the same command and version, is left as it is. The same command gives the same bytes, for any \
+number of threads.";
 
 impl Figures {
     pub(super) fn run(self) -> Result<Exit, Failure> {
         let chosen = self.chosen()?;
-        let pace = match self.quick {
-            true => Pace::Quick,
-            false => Pace::Full,
-        };
-        fs::create_dir_all(&self.out).map_err(|error| {
-            let message = format!("{} cannot be made: {error}", self.out.display());
-            Failure::input(&message, Some("name a folder that can be written to"))
-        })?;
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(self.jobs.unwrap_or(0).into());
-        let threads = threads
-            .build()
-            .map_err(|error| internal(&error.to_string()))?;
-        let bar = Bar::new(chosen.len(), "figures", self.quiet);
-        for (done, figure) in chosen.iter().enumerate() {
-            bar.show(done);
+        let pace = Pace::of(self.quick);
+        make_folder(&self.out)?;
+        let threads = threads(self.jobs)?;
+        let files = chosen.iter().map(|figure| {
             let files = Files::new(&self.out, figure);
-            let said = match files.hold(&figure.command(pace)) {
+            let there = files.hold(&figure.command(pace))?;
+            Ok((files, there))
+        });
+        let files = files.collect::<Result<Vec<_>, Failure>>()?;
+        let bar = Bar::new(chosen.len(), "figures", self.quiet);
+        for (done, (figure, (files, there))) in chosen.iter().zip(files).enumerate() {
+            bar.show(done);
+            let said = match there {
                 true => "there already",
                 false => {
                     let made = threads.install(|| figure.make(pace)).map_err(faulty)?;
@@ -99,10 +95,13 @@ impl Files {
         }
     }
 
-    /// Whether both are there and were made by this command.
-    fn hold(&self, command: &str) -> bool {
-        let holds = |path| fs::read_to_string(path).is_ok_and(|text| text.contains(command));
-        holds(&self.csv) && holds(&self.svg)
+    /// Whether both are there; what is there was made by this command.
+    fn hold(&self, command: &str) -> Result<bool, Failure> {
+        let holds = |path| match found(path)? {
+            Some(text) if !text.contains(command) => Err(not_ours(path)),
+            text => Ok(text.is_some()),
+        };
+        Ok(holds(&self.csv)? && holds(&self.svg)?)
     }
 
     fn write(&self, made: &Made) -> Result<(), Failure> {

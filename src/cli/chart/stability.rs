@@ -1,7 +1,8 @@
 //! `claimcheck chart stability`: where formulas fail.
 
-use super::super::output::{Exit, Failure, internal};
+use super::super::output::{Exit, Failure};
 use super::survey::Desk;
+use super::threads;
 use crate::report::figures::Pace;
 use crate::report::survey::stability;
 use clap::Args;
@@ -26,23 +27,16 @@ pub(super) struct Stability {
 }
 
 const RESUMED: &str = "\
-Writes six charts as CSV and SVG, and stability.md, which tells them in words. A run that was killed goes on where it
-stopped; any number of threads gives the same bytes on the same machine.";
+Writes six charts as CSV and SVG, and stability.md, which tells them in words. A run that was killed goes on where it stopped; \
+what is finished is only drawn again. Any number of threads gives the same bytes on the same machine.";
 
 impl Stability {
     pub(super) fn run(self) -> Result<Exit, Failure> {
-        let pace = match self.quick {
-            true => Pace::Quick,
-            false => Pace::Full,
-        };
         let desk = Desk {
             out: self.out,
             quiet: self.quiet,
         };
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(self.jobs.unwrap_or(0).into());
-        let threads = threads
-            .build()
-            .map_err(|error| internal(&error.to_string()))?;
-        threads.install(|| desk.run(&stability(pace)))
+        let surveys = stability(Pace::of(self.quick));
+        threads(self.jobs)?.install(|| desk.run(&surveys))
     }
 }

@@ -5,9 +5,11 @@
 
 use super::super::output::{Exit, Failure, internal, replace_file, to_stdout};
 use super::super::progress::Bar;
-use crate::report::survey::{Error, Sheet, SheetError, Survey, Surveys};
+use super::{found, make_folder, not_ours};
+use crate::report::survey::{Sheet, Survey, Surveys};
 use rayon::prelude::*;
-use std::fs::{self, File, OpenOptions};
+use std::fmt::Display;
+use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -20,88 +22,93 @@ pub(super) struct Desk {
 impl Desk {
     /// Measures what is not there yet, and draws all.
     pub(super) fn run(&self, surveys: &Surveys) -> Result<Exit, Failure> {
-        fs::create_dir_all(&self.out).map_err(|error| {
-            let message = format!("{} cannot be made: {error}", self.out.display());
-            Failure::input(&message, Some("name a folder that can be written to"))
-        })?;
+        make_folder(&self.out)?;
+        let all = surveys.all.iter().map(AsRef::as_ref);
+        let begun = all.clone().map(|survey| self.begun(surveys, survey));
+        let begun = begun.collect::<Result<Vec<_>, _>>()?;
         let mut sheets = vec![];
-        for survey in &surveys.all {
-            let survey = survey.as_ref();
-            let empty = surveys.sheet(survey);
-            let (sheet, said) = match self.finished(survey, &empty) {
-                Some(sheet) => (sheet, "there already, drawn again"),
-                None => (self.measured(survey, empty)?, "made"),
-            };
-            let name = survey.name();
-            for picture in surveys.draw(survey, &sheet).map_err(not_ours)? {
-                replace_file(&self.file(&format!("{}.svg", picture.name)), &picture.svg)?;
+        for (survey, (sheet, done)) in all.zip(begun) {
+            let sheet = self.measured(survey, sheet, done)?;
+            let sheet = surveys.complete(survey, sheet).map_err(faulty)?;
+            replace_file(&self.data(survey), &sheet.to_string())?;
+            for (name, chart) in surveys.pictures(survey, &sheet).map_err(faulty)? {
+                replace_file(&self.out.join(format!("{name}.svg")), &chart.to_svg())?;
             }
             sheets.push(sheet);
-            to_stdout(&format!("{name}: {said}\n"))?;
+            let said = match done == survey.units() {
+                true => "there already, drawn again",
+                false => "made",
+            };
+            to_stdout(&format!("{}: {said}\n", survey.name()))?;
         }
         let page = format!("{}.md", surveys.group);
-        let words = surveys.page(&sheets).map_err(not_ours)?;
-        replace_file(&self.file(&page), &words)?;
+        let words = surveys.page(&sheets).map_err(faulty)?;
+        replace_file(&self.out.join(&page), &words)?;
         to_stdout(&format!("{page}: made\n"))?;
         Ok(Exit::AsExpected)
     }
 
-    fn file(&self, name: &str) -> PathBuf {
-        self.out.join(name)
+    fn data(&self, survey: &dyn Survey) -> PathBuf {
+        self.out.join(format!("{}.csv", survey.name()))
     }
 
-    /// The sheet, if it is there and was made by this command on this machine.
-    fn finished(&self, survey: &dyn Survey, empty: &Sheet) -> Option<Sheet> {
-        let text = fs::read_to_string(self.file(&format!("{}.csv", survey.name()))).ok()?;
-        let sheet: Sheet = text.parse().ok()?;
-        // One that another version of the program, or another hand, made of it is measured again.
-        let good = sheet.is_of(empty) && survey.is_whole(&sheet) && survey.pictures(&sheet).is_ok();
-        good.then_some(sheet)
+    /// What earlier runs of the same command left, and how many units those are: the finished file, or an unfinished one.
+    fn begun(&self, surveys: &Surveys, survey: &dyn Survey) -> Result<(Sheet, usize), Failure> {
+        let mut most = (surveys.sheet(survey), 0);
+        let data = self.data(survey);
+        for path in [&data, &part(&data)] {
+            let Some(text) = found(path)? else {
+                continue;
+            };
+            let sheet = Sheet::beginning(&text).ok();
+            let sheet = sheet.filter(|sheet| surveys.owns(survey, sheet));
+            let sheet = sheet.ok_or_else(|| not_ours(path))?;
+            let whole = surveys.whole(survey, &sheet);
+            if whole.1 > most.1 {
+                most = whole;
+            }
+        }
+        Ok(most)
     }
 
-    fn measured(&self, survey: &dyn Survey, empty: Sheet) -> Result<Sheet, Failure> {
-        let path = self.file(&format!("{}.csv.part", survey.name()));
-        let (mut sheet, done) = begun(&path, &empty, survey.units()).unwrap_or((empty, 0));
-        let mut journal = Journal::new(path, &sheet, done)?;
-        let bar = Bar::new(
-            survey.units(),
-            &format!("parts of {}", survey.name()),
-            self.quiet,
-        );
+    /// The rows of all units, of which some are done.
+    fn measured(
+        &self,
+        survey: &dyn Survey,
+        mut sheet: Sheet,
+        done: usize,
+    ) -> Result<Sheet, Failure> {
+        if done == survey.units() {
+            return Ok(sheet);
+        }
+        let mut journal = Journal::new(part(&self.data(survey)), &sheet)?;
+        let things = format!("parts of {}", survey.name());
+        let bar = Bar::new(survey.units(), &things, self.quiet);
         let at_once = match survey.side_by_side() {
-            true => 2 * rayon::current_num_threads(),
+            true => rayon::current_num_threads(),
             false => 1,
         };
         let mut first = done;
         while first < survey.units() {
             bar.show(first);
             let last = survey.units().min(first + at_once);
-            let parts: Vec<_> = (first..last)
-                .into_par_iter()
-                .map(|unit| survey.measure(unit))
-                .collect();
+            let units = (first..last).into_par_iter();
+            let parts: Vec<_> = units.map(|unit| survey.rows(unit)).collect();
             let before = sheet.rows().len();
             for part in parts {
-                sheet.add(part.map_err(|error| not_measured(&error))?);
+                sheet.add(part.map_err(faulty)?);
             }
-            journal.add(&sheet.part(before, last))?;
+            journal.add(&sheet.lines(before))?;
             first = last;
         }
         bar.clear();
-        replace_file(
-            &self.file(&format!("{}.csv", survey.name())),
-            &sheet.to_string(),
-        )?;
-        journal.done();
         Ok(sheet)
     }
 }
 
-/// What an earlier run of the same command left.
-fn begun(path: &Path, empty: &Sheet, units: usize) -> Option<(Sheet, usize)> {
-    let text = fs::read_to_string(path).ok()?;
-    let (sheet, done) = Sheet::unfinished(&text).ok()?;
-    (sheet.is_of(empty) && done <= units).then_some((sheet, done))
+/// Of the name that [`replace_file`] writes to before it has all: what is cut is found there, too.
+fn part(path: &Path) -> PathBuf {
+    path.with_added_extension("part")
 }
 
 /// An unfinished file.
@@ -112,8 +119,8 @@ struct Journal {
 
 impl Journal {
     /// Written anew with what is there, so that nothing half written stays.
-    fn new(path: PathBuf, sheet: &Sheet, done: usize) -> Result<Journal, Failure> {
-        replace_file(&path, &(sheet.head() + &sheet.part(0, done)))?;
+    fn new(path: PathBuf, sheet: &Sheet) -> Result<Journal, Failure> {
+        replace_file(&path, &sheet.to_string())?;
         let file = OpenOptions::new().append(true).open(&path);
         let file = file.map_err(|error| unwritable(&path, &error))?;
         Ok(Journal { path, file })
@@ -122,11 +129,6 @@ impl Journal {
     fn add(&mut self, text: &str) -> Result<(), Failure> {
         let written = self.file.write_all(text.as_bytes());
         written.map_err(|error| unwritable(&self.path, &error))
-    }
-
-    fn done(self) {
-        // Left behind, it would be found finished by a later run, and no harm done.
-        let _ = fs::remove_file(self.path);
     }
 }
 
@@ -137,11 +139,7 @@ fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
     )
 }
 
-fn not_measured(error: &Error) -> Failure {
-    internal(&error.to_string())
-}
-
-/// A sheet that was just measured, or looked at, can be drawn.
-fn not_ours(error: SheetError) -> Failure {
+/// What is measured has a truth, and what was just measured can be drawn.
+fn faulty(error: impl Display) -> Failure {
     internal(&error.to_string())
 }

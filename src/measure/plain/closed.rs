@@ -18,13 +18,12 @@ pub(super) fn function(scene: &Scene, function: &Interval) -> Result<f64, Failur
 
 /// a and b; `None` where one is beyond the doubles.
 fn coefficients(scene: &Scene, function: &Interval) -> Option<(f64, f64)> {
-    let largest = f64::from(f64::MAX_EXP) * std::f64::consts::LN_2;
-    let size = logarithm_of_b(scene, BITS)?.midpoint().to_f64();
-    if size > largest + 1.0 {
+    let bits = logarithm_of_b(scene, BITS)?.midpoint().to_f64() / std::f64::consts::LN_2;
+    if bits > f64::from(f64::MAX_EXP) + 1.0 {
         return None;
     }
     // ln b has an absolute error; b has as many bits before the point as it is large.
-    let precision = BITS + (size / std::f64::consts::LN_2).max(0.0) as u32;
+    let precision = BITS + bits.max(0.0) as u32;
     let size = logarithm_of_b(scene, precision)?.exp();
     let b = match scene.position % 2.0 == 0.0 {
         true => size.neg(),

@@ -126,11 +126,11 @@ impl Recipe {
     /// ```
     /// use claimcheck::measure::plain::{Recipe, Scene};
     /// use claimcheck::special::shell::{Quantity, enclose};
-    /// // Photon 5 of strategy 2: the 2nd of 3 around the volume 3, F = 2F1(1, 2; 4; -1) = 12 ln 2 - 15/2... in another form.
+    /// // Photon 5 of strategy 2: the 2nd of 3 around the volume 3, F = 2F1(1, 2; 4; -1) = 9 - 12 ln 2.
     /// let scene = Scene { inner: 3.0, volume: 3.0, position: 2.0, count: 3.0 };
     /// let function = enclose(Quantity::Function, &scene.shell().expect("a shell"), 25)?;
     /// let found = Recipe::Pfaff.compute(Quantity::Function, &scene, &function)?;
-    /// assert!((found - function.midpoint().to_f64()).abs() < 1e-15);
+    /// assert!((found - (9.0 - 12.0 * 2f64.ln())).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -12,14 +12,8 @@ fn photon(l: f64, m: f64) -> Scene {
 }
 
 fn cell(recipe: Recipe, quantity: Quantity, scene: &Scene) -> Cell {
-    let [function, excess, variance] = truth(scene).expect("it has values");
-    let truth = match quantity {
-        Quantity::Function => function.clone(),
-        Quantity::Mean => Interval::from_i64(1, 90).add(&excess),
-        Quantity::Excess => excess,
-        Quantity::Variance => variance,
-    };
-    Cell::of(recipe.compute(quantity, scene, &function), &truth)
+    let truth = truth(scene).expect("it has values");
+    truth.cell(recipe, quantity, scene)
 }
 
 #[test]

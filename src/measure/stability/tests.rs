@@ -18,9 +18,9 @@ fn panel(name: &str, quantity: Quantity, recipe: Recipe) -> Vec<(Vec<Scene>, Cel
     for column in 0..COARSE.columns {
         let rows = map.column(COARSE, column).expect("there is a truth");
         for (index, row) in rows.iter().enumerate() {
-            let scenes = places(COARSE, column, index as u32);
+            let scenes = COARSE.places(column, index as u32);
             let scenes = scenes.map(|(x, y)| map.plane.scene(x, y)).collect();
-            cells.push((scenes, row.cells[0]));
+            cells.push((scenes, row[0]));
         }
     }
     cells

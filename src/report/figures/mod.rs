@@ -58,6 +58,14 @@ pub enum Pace {
 }
 
 impl Pace {
+    /// Of an option `--quick`.
+    pub fn of(quick: bool) -> Pace {
+        match quick {
+            true => Pace::Quick,
+            false => Pace::Full,
+        }
+    }
+
     fn scene(self, scene: &Scene) -> Scene {
         let most = match self {
             Pace::Full => u64::MAX,

@@ -1,7 +1,7 @@
 //! Which method the choice takes.
 
-use super::super::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, Shade};
-use super::maps::{axes, by_rows, percent, shows};
+use super::super::chart::{Axis, Chart, Key, Scale, Shade};
+use super::maps::{axes, cells_panel, percent, shows};
 use super::{Error, Sheet, SheetError, Survey, method_words};
 use crate::measure::stability::{Grid, Plane};
 use crate::special::shell::{Method, Quantity, choose};
@@ -121,12 +121,12 @@ impl Survey for Choice {
         "Which certified method is tried first".to_owned()
     }
 
-    fn notes(&self) -> Vec<String> {
-        vec![
+    fn notes(&self, _: &Sheet) -> Result<Vec<String>, SheetError> {
+        Ok(vec![
             "The method that is cheapest by estimates of its instructions, in the middle of each cell; another one is tried only where it does not reach the \
              digits. Steps and slivers: estimates jump where numbers need one machine word more. Above V = m, Va = m(m-1)/2; below V = m, Va = -m/z, l = m/2 rounded up."
                 .to_owned(),
-        ]
+        ])
     }
 
     fn columns(&self) -> Vec<String> {
@@ -139,8 +139,15 @@ impl Survey for Choice {
         self.grid.columns as usize
     }
 
-    fn is_whole(&self, sheet: &Sheet) -> bool {
-        sheet.rows().len() == self.units() * self.grid.rows as usize
+    fn places(&self, unit: usize) -> Vec<Vec<String>> {
+        let place = |row: u32| {
+            let (along, upwards) = self.grid.middle(unit as u32, row);
+            let [k, place] = Plane::Photons.at(along, upwards);
+            let [z, m] = Plane::Arguments.at(along, upwards);
+            let values = [k, digits(upwards), place, z, m];
+            values.map(|x| format!("{x:.4e}")).to_vec()
+        };
+        (0..self.grid.rows).map(place).collect()
     }
 
     fn side_by_side(&self) -> bool {
@@ -148,39 +155,19 @@ impl Survey for Choice {
     }
 
     fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
-        let part = |index: u32, count: u32| (f64::from(index) + 0.5) / f64::from(count);
-        let along = part(unit as u32, self.grid.columns);
-        let rows = (0..self.grid.rows).map(|row| {
-            let upwards = part(row, self.grid.rows);
-            let [k, place] = Plane::Photons.at(along, upwards);
-            let [z, m] = Plane::Arguments.at(along, upwards);
-            let places = [k, digits(upwards), place, z, m].map(|x| format!("{x:.4e}"));
-            let methods = PANELS.map(|(_, asked)| name(asked.method(along, upwards)));
-            places.into_iter().chain(methods).collect()
-        });
-        Ok(rows.collect())
+        let methods = |row: u32| {
+            let (along, upwards) = self.grid.middle(unit as u32, row);
+            PANELS.map(|(_, asked)| name(asked.method(along, upwards)))
+        };
+        let rows = 0..self.grid.rows;
+        Ok(rows.map(|row| methods(row).to_vec()).collect())
     }
 
     fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError> {
         let panels = PANELS.map(|(title, asked)| {
             let shades = sheet.column(title, shade)?;
-            let ([x, y], [across, upwards]) = (asked.axes(), asked.ends());
-            let cells = Cells {
-                x: across,
-                y: upwards,
-                columns: self.grid.columns as usize,
-                cells: by_rows(&shades, self.grid),
-            };
-            Ok(Panel {
-                title: title.to_owned(),
-                x,
-                y,
-                series: vec![Series {
-                    name: String::new(),
-                    marks: Marks::Cells(cells),
-                    look: 0,
-                }],
-            })
+            let sides = (asked.axes(), asked.ends());
+            Ok(cells_panel(title.to_owned(), sides, &shades, self.grid))
         });
         let panels = panels.into_iter().collect::<Result<Vec<_>, _>>()?;
         let used = |key: &Key| panels.iter().any(|panel| shows(panel, key.shade));

@@ -4,22 +4,12 @@ use super::super::chart::{Axis, Cells, Chart, Key, Marks, Panel, Scale, Series, 
 use super::super::figures::Pace;
 use super::choice::Choice;
 use super::simulation::Runs;
-use super::{Error, Sheet, SheetError, Survey, Surveys};
+use super::{Error, Sheet, SheetError, Survey, Surveys, median};
 use crate::measure::plain::{MOST_STEPS, Recipe};
 use crate::measure::stability::{Cell, FINE, Grid, Map, Plane, maps};
 use crate::special::shell::Quantity;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-
-/// Of a full run: a cell is a pixel.
-const FULL: Grid = Grid {
-    columns: 230,
-    rows: 150,
-};
-const QUICK: Grid = Grid {
-    columns: 46,
-    rows: 30,
-};
 
 const FAILURES: [Cell; 5] = [
     Cell::Wrong,
@@ -34,7 +24,10 @@ const SHADES: [u8; 10] = [0, 1, 2, 4, 6, 8, 10, 12, 14, 16];
 
 /// The surveys of `claimcheck chart stability`: the maps, the method that the choice takes, and simulation.
 pub fn stability(pace: Pace) -> Surveys {
-    let grid = grid(pace);
+    let grid = match pace {
+        Pace::Full => Grid::FULL,
+        Pace::Quick => Grid::QUICK,
+    };
     let maps = maps()
         .into_iter()
         .map(|map| Box::new(Failures { map, grid }) as Box<dyn Survey>);
@@ -45,13 +38,6 @@ pub fn stability(pace: Pace) -> Surveys {
         pace,
         options: String::new(),
         all: maps.chain(others).collect(),
-    }
-}
-
-fn grid(pace: Pace) -> Grid {
-    match pace {
-        Pace::Full => FULL,
-        Pace::Quick => QUICK,
     }
 }
 
@@ -87,7 +73,7 @@ pub(super) fn axes(plane: Plane) -> [Axis; 2] {
 }
 
 /// The names of the columns that tell a place.
-fn places(plane: Plane) -> [&'static str; 2] {
+fn place_columns(plane: Plane) -> [&'static str; 2] {
     match plane {
         Plane::Photons => ["k", "l/m"],
         Plane::Arguments => ["-z", "m"],
@@ -155,9 +141,37 @@ impl Failures {
     fn cells(&self, sheet: &Sheet, panel: (Quantity, Recipe)) -> Result<Vec<Cell>, SheetError> {
         sheet.column(&column_name(panel), |cell| cell.parse().ok())
     }
-}
 
-impl Failures {
+    /// A row each panel, a column each decade along x.
+    fn by_decades(&self, sheet: &Sheet) -> Result<String, SheetError> {
+        let [along, _] = place_columns(self.map.plane);
+        let decade = |x: &f64| x.log10().floor() as i32;
+        let decades: Vec<i32> = sheet.numbers(along)?.iter().map(decade).collect();
+        let all: BTreeSet<i32> = decades.iter().copied().collect();
+        let heads = all
+            .iter()
+            .map(|at| format!("{}\u{2013}{}", power(*at), power(at + 1)));
+        let mut text = format!(
+            "| {along} | {} |\n|---|{}\n",
+            heads.collect::<Vec<_>>().join(" | "),
+            "---|".repeat(all.len())
+        );
+        for &panel in &self.map.panels {
+            let cells = self.cells(sheet, panel)?;
+            let cell = |at: &i32| {
+                let own = decades
+                    .iter()
+                    .zip(&cells)
+                    .filter(|(decade, _)| *decade == at);
+                let own: Vec<Cell> = own.map(|(_, cell)| *cell).collect();
+                typical(&own)
+            };
+            let row: Vec<String> = all.iter().map(cell).collect();
+            let _ = writeln!(text, "| {} | {} |", panel_title(panel), row.join(" | "));
+        }
+        Ok(text)
+    }
+
     /// What is to be seen, and why it is so: nothing that depends on a number measured.
     fn lesson(&self) -> &'static str {
         match (self.map.plane, self.is_of_function()) {
@@ -205,7 +219,7 @@ impl Survey for Failures {
         format!("Digits that {what} in doubles, {plane}")
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Sheet) -> Result<Vec<String>, SheetError> {
         let scenes = FINE * FINE;
         let plane = match self.map.plane {
             Plane::Photons => "Photon k is the l-th of the m in its shell, V = m, Va = m(m-1)/2.",
@@ -213,14 +227,14 @@ impl Survey for Failures {
                 "One shell with V = m around Va = -m/z, l = m/2 rounded up (so odd and even m differ); dotted line: the shells of strategy 2."
             }
         };
-        vec![format!(
+        Ok(vec![format!(
             "Each formula is computed in IEEE doubles. A cell is the worst of {scenes} inputs (Va, V, l, m); digits are lost against the correctly rounded double, which has \
              15.95, and the truth is an enclosure. {plane} Over {MOST_STEPS} steps is our limit: the formula may be right, but slow."
-        )]
+        )])
     }
 
     fn columns(&self) -> Vec<String> {
-        let places = places(self.map.plane).map(str::to_owned);
+        let places = place_columns(self.map.plane).map(str::to_owned);
         let panels = self.map.panels.iter().copied().map(column_name);
         places.into_iter().chain(panels).collect()
     }
@@ -229,8 +243,13 @@ impl Survey for Failures {
         self.grid.columns as usize
     }
 
-    fn is_whole(&self, sheet: &Sheet) -> bool {
-        sheet.rows().len() == self.units() * self.grid.rows as usize
+    fn places(&self, unit: usize) -> Vec<Vec<String>> {
+        let place = |row: u32| {
+            let (along, upwards) = self.grid.middle(unit as u32, row);
+            let [x, y] = self.map.plane.at(along, upwards);
+            vec![format!("{x:.5e}"), format!("{y:.4}")]
+        };
+        (0..self.grid.rows).map(place).collect()
     }
 
     fn side_by_side(&self) -> bool {
@@ -239,20 +258,16 @@ impl Survey for Failures {
 
     fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
         let rows = self.map.column(self.grid, unit as u32)?;
-        let texts = rows.iter().map(|row| {
-            let [x, y] = row.at;
-            let places = [format!("{x:.5e}"), format!("{y:.4}")];
-            let cells = row.cells.iter().map(ToString::to_string);
-            places.into_iter().chain(cells).collect()
-        });
-        Ok(texts.collect())
+        let texts = |cells: &Vec<Cell>| cells.iter().map(ToString::to_string).collect();
+        Ok(rows.iter().map(texts).collect())
     }
 
     fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError> {
         let panels = self.map.panels.iter().map(|&panel| {
             let cells = self.cells(sheet, panel)?;
             let shades: Vec<Shade> = cells.into_iter().map(shade).collect();
-            let mut drawn = map_panel(panel_title(panel), self.map.plane, shades, self.grid);
+            let sides = (axes(self.map.plane), self.map.plane.ends());
+            let mut drawn = cells_panel(panel_title(panel), sides, &shades, self.grid);
             drawn.series.extend(strategy_2(self.map.plane));
             Ok(drawn)
         });
@@ -288,10 +303,13 @@ impl Survey for Failures {
     }
 }
 
-/// A map as a panel: cells are given column by column, from the bottom.
-pub(super) fn map_panel(title: String, plane: Plane, columns: Vec<Shade>, grid: Grid) -> Panel {
-    let [x, y] = axes(plane);
-    let [across, upwards] = plane.ends();
+/// Cells as a panel between two axes with their ends: they are given column by column, from the bottom.
+pub(super) fn cells_panel(
+    title: String,
+    ([x, y], [across, upwards]): ([Axis; 2], [[f64; 2]; 2]),
+    columns: &[Shade],
+    grid: Grid,
+) -> Panel {
     Panel {
         title,
         x,
@@ -303,7 +321,7 @@ pub(super) fn map_panel(title: String, plane: Plane, columns: Vec<Shade>, grid: 
                 x: across,
                 y: upwards,
                 columns: grid.columns as usize,
-                cells: by_rows(&columns, grid),
+                cells: by_rows(columns, grid),
             }),
         }],
     }
@@ -321,7 +339,7 @@ fn strategy_2(plane: Plane) -> Option<Series> {
 }
 
 /// Cells row by row from those column by column.
-pub(super) fn by_rows(columns: &[Shade], grid: Grid) -> Vec<Shade> {
+fn by_rows(columns: &[Shade], grid: Grid) -> Vec<Shade> {
     let (across, up) = (grid.columns as usize, grid.rows as usize);
     let at = |row: usize, column: usize| columns.get(column * up + row).copied();
     (0..up)
@@ -331,10 +349,9 @@ pub(super) fn by_rows(columns: &[Shade], grid: Grid) -> Vec<Shade> {
 
 /// Median and most digits lost, and the percentages of what is no number or a wrong one.
 fn tally(cells: &[Cell]) -> String {
-    let mut lost: Vec<u8> = cells.iter().filter_map(|cell| digits(*cell)).collect();
-    lost.sort_unstable();
-    let digits = match (lost.get(lost.len() / 2), lost.last()) {
-        (Some(median), Some(most)) => format!("{}, {}", Cell::Lost(*median), Cell::Lost(*most)),
+    let most = cells.iter().filter(|cell| is_lost(cell)).max();
+    let digits = match (typical_loss(cells), most) {
+        (Some(median), Some(most)) => format!("{median}, {most}"),
         _ => "none".to_owned(),
     };
     let share = |of: Cell| {
@@ -345,11 +362,17 @@ fn tally(cells: &[Cell]) -> String {
     format!("{digits} | {} |", shares.join(" | "))
 }
 
-fn digits(cell: Cell) -> Option<u8> {
-    match cell {
-        Cell::Lost(tenths) => Some(tenths),
+fn is_lost(cell: &Cell) -> bool {
+    matches!(cell, Cell::Lost(_))
+}
+
+/// The median of the digits lost where one is right.
+fn typical_loss(cells: &[Cell]) -> Option<Cell> {
+    let tenths = cells.iter().filter_map(|cell| match cell {
+        Cell::Lost(tenths) => Some(f64::from(*tenths)),
         _ => None,
-    }
+    });
+    median(tenths.collect()).map(|tenths| Cell::Lost(tenths.ceil() as u8))
 }
 
 /// 0 where there is none, and never 0 or 100 where there is one, or not all are.
@@ -363,37 +386,6 @@ pub(super) fn percent(count: usize, all: usize) -> String {
     }
 }
 
-impl Failures {
-    /// A row each panel, a column each decade along x.
-    fn by_decades(&self, sheet: &Sheet) -> Result<String, SheetError> {
-        let [along, _] = places(self.map.plane);
-        let decade = |x: &f64| x.log10().floor() as i32;
-        let decades: Vec<i32> = sheet.numbers(along)?.iter().map(decade).collect();
-        let all: BTreeSet<i32> = decades.iter().copied().collect();
-        let heads = all
-            .iter()
-            .map(|at| format!("{}\u{2013}{}", power(*at), power(at + 1)));
-        let mut text = format!(
-            "| {along} | {} |\n|---|{}\n",
-            heads.collect::<Vec<_>>().join(" | "),
-            "---|".repeat(all.len())
-        );
-        for &panel in &self.map.panels {
-            let cells = self.cells(sheet, panel)?;
-            let cell = |at: &i32| {
-                let own = decades
-                    .iter()
-                    .zip(&cells)
-                    .filter(|(decade, _)| *decade == at);
-                typical(own.map(|(_, cell)| *cell).collect())
-            };
-            let row: Vec<String> = all.iter().map(cell).collect();
-            let _ = writeln!(text, "| {} | {} |", panel_title(panel), row.join(" | "));
-        }
-        Ok(text)
-    }
-}
-
 fn power(exponent: i32) -> String {
     match exponent {
         0 => "1".to_owned(),
@@ -403,13 +395,12 @@ fn power(exponent: i32) -> String {
 }
 
 /// The median of the digits lost where at least half of the cells have a right digit; else the most common failure with its share.
-fn typical(cells: Vec<Cell>) -> String {
-    let mut lost: Vec<u8> = cells.iter().filter_map(|cell| digits(*cell)).collect();
-    lost.sort_unstable();
-    if let Some(median) = lost.get(lost.len() / 2)
-        && 2 * lost.len() >= cells.len()
+fn typical(cells: &[Cell]) -> String {
+    let right = cells.iter().filter(|cell| is_lost(cell)).count();
+    if let Some(median) = typical_loss(cells)
+        && 2 * right >= cells.len()
     {
-        return Cell::Lost(*median).to_string();
+        return median.to_string();
     }
     let count = |of: Cell| cells.iter().filter(|cell| **cell == of).count();
     let most = FAILURES.into_iter().max_by_key(|failure| count(*failure));

@@ -10,7 +10,7 @@ mod maps;
 mod sheet;
 mod simulation;
 
-pub use accuracy::{Rivals, accuracy, count_calls};
+pub use accuracy::{Rivals, accuracy, can_count, count_calls};
 pub use maps::stability;
 pub use sheet::{Sheet, SheetError};
 
@@ -27,26 +27,44 @@ pub trait Survey: Sync {
     /// The title of the picture.
     fn title(&self) -> String;
 
-    /// What a reader must know, below the picture.
-    fn notes(&self) -> Vec<String>;
-
     /// The names of the columns.
     fn columns(&self) -> Vec<String>;
 
     /// How many parts are measured one by one; each is kept once it is done.
     fn units(&self) -> usize;
 
-    /// Whether all units are there: of a file that somebody may have cut.
-    fn is_whole(&self, sheet: &Sheet) -> bool;
+    /// The first cells of each row of a unit: what is measured there. By these rows are known again.
+    fn places(&self, unit: usize) -> Vec<Vec<String>>;
 
     /// Whether units may be measured at the same time: not where time is measured.
     fn side_by_side(&self) -> bool;
+
+    /// The cells that follow those of [`Survey::places`], row by row.
+    ///
+    /// # Errors
+    /// [`Error`]
+    fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error>;
 
     /// The rows of a unit.
     ///
     /// # Errors
     /// [`Error`]
-    fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error>;
+    fn rows(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
+        let places = self.places(unit).into_iter();
+        let row = |(place, cells): (Vec<String>, Vec<String>)| [place, cells].concat();
+        Ok(places.zip(self.measure(unit)?).map(row).collect())
+    }
+
+    /// Rows that are not measured here, but drawn beside; they come last.
+    fn beside(&self) -> Vec<Vec<String>> {
+        vec![]
+    }
+
+    /// What a reader of all rows must know, below the picture.
+    ///
+    /// # Errors
+    /// Where the sheet is not one of this survey.
+    fn notes(&self, sheet: &Sheet) -> Result<Vec<String>, SheetError>;
 
     /// The pictures, but for the notes, each with what its name and its title have beyond those of the survey.
     ///
@@ -68,17 +86,9 @@ pub struct Surveys {
     /// The heading of the page of words.
     pub heading: &'static str,
     pub pace: Pace,
-    /// Of the command, beside `--quick`.
+    /// Of the command: what is drawn beside what is measured.
     options: String,
     pub all: Vec<Box<dyn Survey>>,
-}
-
-/// A picture of a survey.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
-    pub name: String,
-    pub title: String,
-    pub svg: String,
 }
 
 /// Why nothing could be measured.
@@ -99,55 +109,99 @@ pub enum Error {
 }
 
 impl Surveys {
-    /// The command, with the program's version.
-    pub fn command(&self) -> String {
+    /// The command that measures, with the program's version.
+    fn command(&self) -> String {
         let quick = match self.pace {
             Pace::Full => "",
             Pace::Quick => " --quick",
         };
-        format!(
-            "claimcheck {}: claimcheck chart {}{quick}{} --out .",
-            env!("CARGO_PKG_VERSION"),
-            self.group,
-            self.options
-        )
+        let (version, group) = (env!("CARGO_PKG_VERSION"), self.group);
+        format!("claimcheck {version}: claimcheck chart {group}{quick} --out .")
     }
 
-    /// An empty sheet of a survey, headed by what it is, what a reader must know, by which command it was made, on which machine.
+    /// A survey's sheet before anything is measured: what it is, by which command, on which machine.
     pub fn sheet(&self, survey: &dyn Survey) -> Sheet {
-        let made = [self.command(), super::machine::words()];
-        let notes = std::iter::once(survey.title())
-            .chain(survey.notes())
-            .chain(made);
-        Sheet::new(notes.collect(), survey.columns())
+        let notes = vec![survey.title(), self.command(), super::machine::words()];
+        Sheet::new(notes, survey.columns())
     }
 
-    /// The pictures of a sheet: their names, without an ending, their titles and the SVG.
+    /// Whether a file is of this command, version and machine, finished or not.
+    pub fn owns(&self, survey: &dyn Survey, found: &Sheet) -> bool {
+        let own = self.sheet(survey);
+        let ([title, command, machine], [other, .., made, place]) = (own.notes(), found.notes())
+        else {
+            return false;
+        };
+        // What is drawn beside comes last.
+        let options = made.strip_prefix(command.as_str());
+        (title, machine) == (other, place)
+            && options.is_some_and(|options| options.is_empty() || options.starts_with(' '))
+            && own.columns() == found.columns()
+    }
+
+    /// The whole units that a file begins with, and how many those are. None where a cell of these cannot be read.
+    pub fn whole(&self, survey: &dyn Survey, found: &Sheet) -> (Sheet, usize) {
+        let (mut units, mut rows) = (0, 0);
+        while units < survey.units() {
+            let places = survey.places(units);
+            let own = found.rows().get(rows..rows + places.len());
+            let fit = |own: &[Vec<String>]| {
+                let mut both = own.iter().zip(&places);
+                both.all(|(row, place)| row.starts_with(place))
+            };
+            if !own.is_some_and(fit) {
+                break;
+            }
+            rows += places.len();
+            units += 1;
+        }
+        let mut sheet = self.sheet(survey);
+        sheet.add(found.rows()[..rows].to_vec());
+        match survey.pictures(&sheet) {
+            Ok(_) => (sheet, units),
+            Err(_) => (self.sheet(survey), 0),
+        }
+    }
+
+    /// A sheet with all that was measured, ready to be drawn: with the rows that come beside, and with what a reader must know.
     ///
     /// # Errors
     /// Where the sheet is not one of this survey.
-    pub fn draw(&self, survey: &dyn Survey, sheet: &Sheet) -> Result<Vec<Picture>, SheetError> {
-        let mut notes = sheet.notes().iter().cloned();
-        let title = notes.next().unwrap_or_default();
-        let notes: Vec<String> = notes.collect();
-        let pictures = survey.pictures(sheet)?.into_iter();
-        let drawn = pictures.map(|(more, chart)| {
-            let title = title.clone() + &chart.title;
-            let chart = Chart {
-                title: title.clone(),
-                notes: notes.clone(),
-                ..chart
-            };
-            Picture {
-                name: survey.name() + more,
-                title,
-                svg: chart.to_svg(),
-            }
-        });
-        Ok(drawn.collect())
+    pub fn complete(&self, survey: &dyn Survey, mut sheet: Sheet) -> Result<Sheet, SheetError> {
+        sheet.add(survey.beside());
+        let mut notes = vec![survey.title()];
+        notes.extend(survey.notes(&sheet)?);
+        notes.push(self.command() + &self.options);
+        notes.push(super::machine::words());
+        Ok(sheet.with_notes(notes))
     }
 
-    /// The page of words: a section each survey, with its picture.
+    /// The pictures of a complete sheet, with the names of their files, without an ending.
+    ///
+    /// # Errors
+    /// Where the sheet is not one of this survey.
+    pub fn pictures(
+        &self,
+        survey: &dyn Survey,
+        sheet: &Sheet,
+    ) -> Result<Vec<(String, Chart)>, SheetError> {
+        let (title, notes) = match sheet.notes() {
+            [title, notes @ ..] => (title.as_str(), notes),
+            [] => ("", [].as_slice()),
+        };
+        let pictures = survey.pictures(sheet)?.into_iter();
+        let named = pictures.map(|(more, chart)| {
+            let chart = Chart {
+                title: title.to_owned() + &chart.title,
+                notes: notes.to_vec(),
+                ..chart
+            };
+            (survey.name() + more, chart)
+        });
+        Ok(named.collect())
+    }
+
+    /// The page of words: a section each survey, with its pictures.
     ///
     /// # Errors
     /// Where a sheet is not one of its survey.
@@ -155,8 +209,8 @@ impl Surveys {
         let mut page = format!("# {}\n", self.heading);
         for (survey, sheet) in self.all.iter().zip(sheets) {
             page += &format!("\n## {}\n", survey.title());
-            for Picture { name, title, .. } in self.draw(survey.as_ref(), sheet)? {
-                page += &format!("\n![{title}]({name}.svg)\n");
+            for (name, chart) in self.pictures(survey.as_ref(), sheet)? {
+                page += &format!("\n![{}]({name}.svg)\n", chart.title);
             }
             let (name, words) = (survey.name(), survey.words(sheet)?);
             page += &format!(
@@ -169,6 +223,14 @@ impl Surveys {
         }
         Ok(page)
     }
+}
+
+/// The middle one of the values, or the mean of the two in the middle; `None` of none.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let upper = values.len() / 2;
+    let lower = values.len().checked_sub(1)? / 2;
+    Some((values.get(lower)? + values.get(upper)?) / 2.0)
 }
 
 /// A certified method in a few words.

@@ -3,9 +3,6 @@
 use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
-/// Tells in an unfinished file how many units are whole.
-const DONE: &str = "# done ";
-
 /// A table of texts. No cell holds a comma, a quote or a line's end; where one would, the comma becomes a semicolon.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sheet {
@@ -27,6 +24,9 @@ pub enum SheetError {
         cells: usize,
         columns: usize,
     },
+    /// A row that says what another one says.
+    #[error("row {row} is of the same as one before")]
+    Twice { row: usize },
     /// A column that is not there.
     #[error("no column `{0}`")]
     NoColumn(String),
@@ -63,9 +63,17 @@ impl Sheet {
         &self.rows
     }
 
-    /// Whether two sheets differ in their rows at most.
-    pub fn is_of(&self, other: &Sheet) -> bool {
-        self.notes == other.notes && self.columns == other.columns
+    /// The names of the columns.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// With other notes.
+    pub fn with_notes(self, notes: Vec<String>) -> Sheet {
+        Sheet {
+            rows: self.rows,
+            ..Sheet::new(notes, self.columns)
+        }
     }
 
     /// Adds rows; one that is too short is filled with empty cells, one too long is cut.
@@ -78,37 +86,29 @@ impl Sheet {
         }));
     }
 
-    /// The lines before the rows.
-    pub fn head(&self) -> String {
-        let notes = self.notes.iter().map(|note| format!("# {note}\n"));
-        notes.collect::<String>() + &self.columns.join(",") + "\n"
-    }
-
-    /// What a unit adds to an unfinished file: its rows, and that so many units are done.
-    pub fn part(&self, from: usize, done: usize) -> String {
+    /// The rows from one on, as they stand in the file.
+    pub fn lines(&self, from: usize) -> String {
         let rows = self.rows.get(from..).unwrap_or_default();
-        lines(rows) + &format!("{DONE}{done}\n")
+        rows.iter().map(|row| row.join(",") + "\n").collect()
     }
 
-    /// Reads an unfinished file: the rows of whole units, and how many those are.
+    /// Reads what is whole at the beginning of a file that was cut, or damaged further down: the rows before the first that has another length
+    /// than the heading or does not end.
     ///
     /// # Errors
-    /// [`SheetError`]
-    pub fn unfinished(text: &str) -> Result<(Sheet, usize), SheetError> {
-        let whole = text.rfind(DONE).map(|at| {
-            let line = text[at..].split_inclusive('\n').next().unwrap_or_default();
-            let done = line.strip_prefix(DONE).and_then(|n| n.strip_suffix('\n'));
-            (at, done.and_then(|n| n.parse::<usize>().ok()))
-        });
-        match whole {
-            None => Ok((text.parse()?, 0)).map(|(sheet, done): (Sheet, usize)| {
-                let rows = vec![];
-                (Sheet { rows, ..sheet }, done)
-            }),
-            Some((at, Some(done))) => Ok((text[..at].parse()?, done)),
-            // The last line of all is cut off: what is before it counts.
-            Some((at, None)) => Sheet::unfinished(&text[..at]),
+    /// Where there is no heading.
+    pub fn beginning(text: &str) -> Result<Sheet, SheetError> {
+        let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+        let mut sheet = read(whole)?;
+        if let Some(index) = sheet.ragged() {
+            sheet.rows.truncate(index);
         }
+        Ok(sheet)
+    }
+
+    fn ragged(&self) -> Option<usize> {
+        let width = self.columns.len();
+        self.rows.iter().position(|row| row.len() != width)
     }
 
     /// The cells of a column, read.
@@ -135,30 +135,33 @@ impl Sheet {
         self.rows.iter().enumerate().map(cell).collect()
     }
 
-    /// A column of numbers.
+    /// A column of finite numbers.
     ///
     /// # Errors
     /// As [`Sheet::column`].
     pub fn numbers(&self, name: &str) -> Result<Vec<f64>, SheetError> {
-        self.column(name, |cell| cell.parse().ok())
+        self.column(name, number)
     }
 
-    /// A column of numbers, some of them missing.
+    /// A column of finite numbers, some of them missing.
     ///
     /// # Errors
     /// As [`Sheet::column`].
     pub fn some_numbers(&self, name: &str) -> Result<Vec<Option<f64>>, SheetError> {
         self.column(name, |cell| match cell {
             "" => Some(None),
-            cell => cell.parse().ok().map(Some),
+            cell => number(cell).map(Some),
         })
     }
 }
 
 impl Display for Sheet {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.head())?;
-        f.write_str(&lines(&self.rows))
+        for note in &self.notes {
+            writeln!(f, "# {note}")?;
+        }
+        writeln!(f, "{}", self.columns.join(","))?;
+        f.write_str(&self.lines(0))
     }
 }
 
@@ -166,31 +169,37 @@ impl FromStr for Sheet {
     type Err = SheetError;
 
     fn from_str(text: &str) -> Result<Sheet, SheetError> {
-        let (notes, rows): (Vec<&str>, Vec<&str>) =
-            text.lines().partition(|line| line.starts_with('#'));
-        let notes = notes.iter().filter(|line| !line.starts_with(DONE));
-        let notes = notes.map(|line| line[1..].trim().to_owned()).collect();
-        let cells = |line: &&str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
-        let mut rows = rows.iter().map(cells);
-        let columns = rows.next().ok_or(SheetError::NoHeading)?;
-        let rows: Vec<Vec<String>> = rows.collect();
-        match rows.iter().position(|row| row.len() != columns.len()) {
+        let sheet = read(text)?;
+        match sheet.ragged() {
             Some(index) => Err(SheetError::Ragged {
                 row: index + 1,
-                cells: rows[index].len(),
-                columns: columns.len(),
+                cells: sheet.rows[index].len(),
+                columns: sheet.columns.len(),
             }),
-            None => Ok(Sheet {
-                notes,
-                columns,
-                rows,
-            }),
+            None => Ok(sheet),
         }
     }
 }
 
-fn lines(rows: &[Vec<String>]) -> String {
-    rows.iter().map(|row| row.join(",") + "\n").collect()
+/// The notes, the heading, and rows of any length.
+fn read(text: &str) -> Result<Sheet, SheetError> {
+    // Some programs begin a file with a mark of its encoding.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (notes, rows): (Vec<&str>, Vec<&str>) =
+        text.lines().partition(|line| line.starts_with('#'));
+    let notes = notes.iter().map(|line| line[1..].trim().to_owned());
+    let mut rows = rows
+        .iter()
+        .map(|line| line.split(',').map(str::to_owned).collect());
+    Ok(Sheet {
+        notes: notes.collect(),
+        columns: rows.next().ok_or(SheetError::NoHeading)?,
+        rows: rows.collect(),
+    })
+}
+
+fn number(cell: &str) -> Option<f64> {
+    cell.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 fn cleaned(cell: &str) -> String {

@@ -2,7 +2,7 @@
 
 use super::super::chart::{Axis, Chart, Marks, Panel, Scale, Series};
 use super::super::figures::Pace;
-use super::{Error, Sheet, SheetError, Survey, raised};
+use super::{Error, Sheet, SheetError, Survey, median, raised};
 use crate::model::Layout;
 use crate::simulate::{Scene, Simulation};
 use crate::special::shell::{Quantity, ShellError, enclose_all};
@@ -13,7 +13,8 @@ use std::ops::ControlFlow;
 const PHOTONS: [u64; 4] = [5, 5000, 999_698, 999_999_204_684];
 
 /// Runs are raised so many times by the root of ten, from a hundred on.
-const STEPS: [i32; 2] = [6, 10];
+const STEPS: usize = 10;
+const QUICK_STEPS: usize = 6;
 
 /// Each number of runs is drawn with so many seeds.
 const SEEDS: u64 = 21;
@@ -24,12 +25,16 @@ pub(super) struct Runs {
 
 impl Runs {
     fn steps(&self) -> usize {
-        let [quick, full] = STEPS;
-        let last = match self.pace {
-            Pace::Quick => quick,
-            Pace::Full => full,
-        };
-        last as usize + 1
+        match self.pace {
+            Pace::Full => STEPS + 1,
+            Pace::Quick => QUICK_STEPS + 1,
+        }
+    }
+
+    /// The photon and the runs of a unit.
+    fn scene(&self, unit: usize) -> (u64, u64) {
+        let k = PHOTONS[unit / self.steps() % PHOTONS.len()];
+        (k, runs(unit % self.steps()))
     }
 }
 
@@ -52,11 +57,6 @@ fn digits(value: f64, truth: f64) -> f64 {
     ((-error.log10()).clamp(0.0, 15.0) * 100.0).round() / 100.0
 }
 
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
 const COLUMNS: [&str; 6] = [
     "k",
     "runs",
@@ -75,11 +75,11 @@ impl Survey for Runs {
         "Simulation as a method: digits against photons drawn".to_owned()
     }
 
-    fn notes(&self) -> Vec<String> {
-        vec![format!(
+    fn notes(&self, _: &Sheet) -> Result<Vec<String>, SheetError> {
+        Ok(vec![format!(
             "Strategy 2, photons in the middle of their shells. Of a large shell only the place of this photon is drawn, a number a run; of photon 5 all three of its shell. \
              Each mark is the median of {SEEDS} repetitions; at 0 not one digit is right. Broad grey lines, left: the median error by theory."
-        )]
+        )])
     }
 
     fn columns(&self) -> Vec<String> {
@@ -90,8 +90,9 @@ impl Survey for Runs {
         PHOTONS.len() * self.steps()
     }
 
-    fn is_whole(&self, sheet: &Sheet) -> bool {
-        sheet.rows().len() == self.units()
+    fn places(&self, unit: usize) -> Vec<Vec<String>> {
+        let (k, runs) = self.scene(unit);
+        vec![vec![k.to_string(), runs.to_string()]]
     }
 
     fn side_by_side(&self) -> bool {
@@ -99,8 +100,7 @@ impl Survey for Runs {
     }
 
     fn measure(&self, unit: usize) -> Result<Vec<Vec<String>>, Error> {
-        let k = PHOTONS[unit / self.steps() % PHOTONS.len()];
-        let runs = runs(unit % self.steps());
+        let (k, runs) = self.scene(unit);
         let [excess, variance] = theory(k)?;
         let (mut of_excess, mut of_variance, mut drawn) = (vec![], vec![], 0);
         for seed in 1..=SEEDS {
@@ -115,13 +115,12 @@ impl Survey for Runs {
         }
         // The median of |x| for a standard normal x.
         let error = 0.6745 * (variance / runs as f64).sqrt();
+        let typical = |digits| median(digits).map_or(String::new(), |digits| digits.to_string());
         Ok(vec![vec![
-            k.to_string(),
-            runs.to_string(),
             drawn.to_string(),
-            median(&mut of_excess).to_string(),
+            typical(of_excess),
             digits(excess + error, excess).to_string(),
-            median(&mut of_variance).to_string(),
+            typical(of_variance),
         ]])
     }
 

@@ -10,11 +10,12 @@ use super::super::figures::Pace;
 use super::maps::quantity_words;
 use super::{Error, Sheet, SheetError, Survey, Surveys};
 use crate::measure::accuracy::{Call, Question, proved_digits};
-use crate::measure::instructions::count;
+use crate::measure::instructions;
 use crate::number::Interval;
 use crate::special::shell::{Quantity, ShellError};
 use points::{Measure, Points, short, told};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// How much is measured.
 struct Effort {
@@ -46,8 +47,12 @@ const QUICK: Effort = Effort {
     rounds: 3,
 };
 
+/// A single count takes a second or two, all counts of a question a minute or so.
+const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE_WITH_ALL: Duration = Duration::from_secs(1200);
+
 /// The surveys of `claimcheck chart accuracy`. `counter` is a program that [`count_calls`] runs in when it is called with
-/// `chart count` and what [`Question`] the calls are of; without one no instructions are counted.
+/// `chart count` and what [`Question`] the calls are of ([`can_count`]); without one no instructions are counted.
 pub fn accuracy(pace: Pace, rivals: &Rivals, counter: Option<PathBuf>) -> Surveys {
     let survey = |quantity| {
         Box::new(Costs {
@@ -64,11 +69,49 @@ pub fn accuracy(pace: Pace, rivals: &Rivals, counter: Option<PathBuf>) -> Survey
         group: "accuracy",
         heading: "What digits cost",
         pace,
-        options: match rivals.is_empty() {
-            true => String::new(),
-            false => " --rivals figures.csv".to_owned(),
-        },
+        options: rivals.option(),
         all: vec![survey(Quantity::Mean), survey(Quantity::Variance)],
+    }
+}
+
+/// Whether a program that answers to `chart count` can be watched here: whether a small count comes to something.
+pub fn can_count(program: &Path) -> bool {
+    let question = Question {
+        quantity: Quantity::Mean,
+        k: 4,
+        digits: 15,
+    };
+    let calls = question.calls();
+    counts(program, question, &calls, 1e4, PATIENCE).is_some()
+}
+
+/// What instructions the calls of a question take that are not expected to take more than `most`.
+fn counts(
+    program: &Path,
+    question: Question,
+    calls: &[Call],
+    most: f64,
+    patience: Duration,
+) -> Option<Vec<u64>> {
+    let arguments = [
+        "chart".to_owned(),
+        "count".to_owned(),
+        word(question.quantity).to_owned(),
+        question.k.to_string(),
+        question.digits.to_string(),
+        most.to_string(),
+    ];
+    let number = calls.iter().filter(|call| call.estimate() <= most).count();
+    instructions::count(program, &arguments, number, patience)
+}
+
+/// A quantity in the file of rivals, in file names, and for [`count_calls`].
+fn word(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Function => "function",
+        Quantity::Mean => "mean",
+        Quantity::Excess => "excess",
+        Quantity::Variance => "variance",
     }
 }
 
@@ -78,6 +121,15 @@ pub fn count_calls(question: Question, most: f64) {
         if call.estimate() <= most {
             call.run();
         }
+    }
+}
+
+/// Whole numbers as a sentence has them: 15, 30 and 50.
+fn listed(numbers: &[u32]) -> String {
+    let texts: Vec<String> = numbers.iter().map(u32::to_string).collect();
+    match texts.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => texts.concat(),
     }
 }
 
@@ -100,6 +152,10 @@ const COLUMNS: [&str; 7] = [
 ];
 
 impl Costs {
+    fn questions(&self) -> impl Iterator<Item = Question> {
+        (0..self.units()).map(|unit| self.question(unit))
+    }
+
     fn question(&self, unit: usize) -> Question {
         let Effort {
             photons, digits, ..
@@ -108,16 +164,6 @@ impl Costs {
             quantity: self.quantity,
             k: photons[unit / digits.len() % photons.len()],
             digits: digits[unit % digits.len()],
-        }
-    }
-
-    /// The word of the quantity in the file of rivals and in file names.
-    fn word(&self) -> &'static str {
-        match self.quantity {
-            Quantity::Function => "function",
-            Quantity::Mean => "mean",
-            Quantity::Excess => "excess",
-            Quantity::Variance => "variance",
         }
     }
 
@@ -152,20 +198,12 @@ impl Costs {
     /// Instructions of each call, where they can be counted.
     fn counted(&self, question: Question, calls: &[Call]) -> Vec<Option<u64>> {
         let most = self.effort.most_counted;
-        let wanted = |call: &&Call| call.estimate() <= most;
-        let arguments = [
-            "chart".to_owned(),
-            "count".to_owned(),
-            self.word().to_owned(),
-            question.k.to_string(),
-            question.digits.to_string(),
-            most.to_string(),
-        ];
-        let number = calls.iter().filter(wanted).count();
-        let counts = self.counter.as_ref();
-        let counts = counts.and_then(|program| count(program, &arguments, number));
-        let mut counts = counts.unwrap_or_default().into_iter();
-        let of = |call| wanted(&call).then(|| counts.next()).flatten();
+        let found = self
+            .counter
+            .as_ref()
+            .and_then(|program| counts(program, question, calls, most, PATIENCE_WITH_ALL));
+        let mut found = found.unwrap_or_default().into_iter();
+        let of = |call: &Call| (call.estimate() <= most).then(|| found.next()).flatten();
         calls.iter().map(of).collect()
     }
 }
@@ -174,7 +212,7 @@ type Answer = Result<(Interval, f64), &'static str>;
 
 impl Survey for Costs {
     fn name(&self) -> String {
-        format!("accuracy-{}", self.word())
+        format!("accuracy-{}", word(self.quantity))
     }
 
     fn title(&self) -> String {
@@ -186,15 +224,23 @@ impl Survey for Costs {
         format!("What digits of {what} cost")
     }
 
-    fn notes(&self) -> Vec<String> {
-        let mut notes = vec![
-            "Photon k of strategy 2. Left: each mark is one certified method asked for 15, 30, 50, 100, 300, ... digits; across, the digits that its interval proves. \
+    fn notes(&self, sheet: &Sheet) -> Result<Vec<String>, SheetError> {
+        let points = Points::read(sheet)?;
+        let counted = match points.are_counted() {
+            true => "instructions are counted by callgrind",
+            false => "instructions were not counted, for want of valgrind",
+        };
+        let rounds = self.effort.rounds;
+        let mut notes = vec![format!(
+            "Photon k of strategy 2. Left: each mark is one certified method asked for {} digits; across, the digits that its interval proves. \
              Pareto front: the least cost of so many digits or more by any of these methods. Rings: the method that the program chooses by itself. One call on one core, \
-             best of several rounds; instructions are counted by callgrind."
-                .to_owned(),
-        ];
-        notes.extend(self.rivals.notes());
-        notes
+             best of {rounds} rounds; {counted}.",
+            listed(self.effort.digits)
+        )];
+        if !points.rivals().is_empty() {
+            notes.push(self.rivals.note());
+        }
+        Ok(notes)
     }
 
     fn columns(&self) -> Vec<String> {
@@ -205,9 +251,16 @@ impl Survey for Costs {
         self.effort.photons.len() * self.effort.digits.len()
     }
 
-    fn is_whole(&self, sheet: &Sheet) -> bool {
-        let chosen = sheet.column("way", |cell| Some(cell == "choice"));
-        chosen.is_ok_and(|chosen| chosen.iter().filter(|is| **is).count() == self.units())
+    fn places(&self, unit: usize) -> Vec<Vec<String>> {
+        let question = self.question(unit);
+        let (k, digits) = (question.k.to_string(), question.digits.to_string());
+        let place = |call: &Call| vec![k.clone(), digits.clone(), call.way.to_string()];
+        question.calls().iter().map(place).collect()
+    }
+
+    fn beside(&self) -> Vec<Vec<String>> {
+        let rows = |question| self.rivals.rows(question, word(self.quantity));
+        self.questions().flat_map(rows).collect()
     }
 
     fn side_by_side(&self) -> bool {
@@ -222,10 +275,9 @@ impl Survey for Costs {
         let seconds = self.timed(&calls, &answers);
         let counts = self.counted(question, &calls);
         let rows = calls.iter().zip(&answers).zip(seconds).zip(counts);
-        let rows = rows.map(|(((call, answer), seconds), count)| row(call, answer, seconds, count));
-        Ok(rows
-            .chain(self.rivals.rows(question, self.word()))
-            .collect())
+        let cells =
+            rows.map(|(((call, answer), seconds), count)| cells(call, answer, seconds, count));
+        Ok(cells.collect())
     }
 
     fn pictures(&self, sheet: &Sheet) -> Result<Vec<(&'static str, Chart)>, SheetError> {
@@ -256,7 +308,7 @@ impl Survey for Costs {
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let points = Points::read(sheet)?;
         let mut text = "What the choice costs more than the fastest method in hindsight that proves the digits asked for is the price of choosing beforehand, by \
-             estimates alone. (The certified doubles, which give the digits that they have, are not among the methods it chooses from.)\n\n"
+             estimates alone. The certified doubles, which give the digits that they have, are not among the methods it chooses from.\n\n"
             .to_owned();
         text += &points.against_hindsight();
         text += &points.against_rivals();
@@ -290,9 +342,7 @@ impl Costs {
     }
 }
 
-fn row(call: &Call, answer: &Answer, seconds: f64, count: Option<u64>) -> Vec<String> {
-    let Question { k, digits, .. } = call.question;
-    let place = [k.to_string(), digits.to_string(), call.way.to_string()];
+fn cells(call: &Call, answer: &Answer, seconds: f64, count: Option<u64>) -> Vec<String> {
     let cells = match answer {
         Ok((_, proved)) => [
             proved.to_string(),
@@ -302,7 +352,7 @@ fn row(call: &Call, answer: &Answer, seconds: f64, count: Option<u64>) -> Vec<St
         ],
         Err(why) => ["", "", "", why].map(str::to_owned),
     };
-    place.into_iter().chain(cells).collect()
+    cells.to_vec()
 }
 
 /// All intervals of a question overlap, or one of them is wrong.

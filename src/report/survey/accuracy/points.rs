@@ -1,7 +1,7 @@
 //! What the rows of a survey of costs come to: curves, the front, tables.
 
 use super::super::super::chart::{Axis, Marks, Panel, Scale, Series};
-use super::super::{Sheet, SheetError, method_words, raised};
+use super::super::{Sheet, SheetError, median, method_words, raised};
 use super::rivals::RIVAL;
 use crate::measure::accuracy::Way;
 use std::fmt::Write;
@@ -52,14 +52,11 @@ impl Points {
         Ok(Points { all })
     }
 
+    /// What the choice answers.
     fn questions(&self) -> Vec<(u64, u32)> {
-        let mut all: Vec<_> = self
-            .all
-            .iter()
-            .map(|point| (point.k, point.asked))
-            .collect();
-        all.dedup();
-        all
+        let choice = Way::Choice.to_string();
+        let own = self.all.iter().filter(|point| point.way == choice);
+        own.map(|point| (point.k, point.asked)).collect()
     }
 
     fn of(&self, k: u64, asked: u32, way: &str) -> Option<&Point> {
@@ -305,12 +302,12 @@ pub(super) fn told(name: &str) -> &str {
     }
 }
 
-/// What the choice takes over the least, in the median and at worst; nothing of nothing.
-fn summary(of: &str, mut ratios: Vec<f64>) -> String {
-    ratios.sort_by(f64::total_cmp);
-    match (ratios.get(ratios.len() / 2), ratios.last()) {
+/// What the choice takes over the least in hindsight, in the median and at worst; nothing of nothing.
+fn summary(of: &str, ratios: Vec<f64>) -> String {
+    let worst = ratios.iter().copied().max_by(f64::total_cmp);
+    match (median(ratios), worst) {
         (Some(middle), Some(worst)) => format!(
-            "In {of} the choice takes {middle:.2} times the least of all methods in hindsight in the median, {worst:.2} times at worst.\n"
+            "In {of} the choice takes, in the median, {middle:.2} times the least of the methods that it chooses from; at worst {worst:.2} times.\n"
         ),
         _ => String::new(),
     }

@@ -2,7 +2,7 @@
 
 use super::super::{Sheet, SheetError};
 use crate::measure::accuracy::Question;
-use std::str::FromStr;
+use std::collections::HashSet;
 
 /// Ways of other programs begin so: those of this one have names for themselves.
 pub(super) const RIVAL: &str = "rival: ";
@@ -10,6 +10,8 @@ pub(super) const RIVAL: &str = "rival: ";
 /// Figures of other programs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Rivals {
+    /// The name of their file.
+    name: String,
     /// Of the machine that they were measured on, and so on.
     notes: Vec<String>,
     rows: Vec<Rival>,
@@ -20,18 +22,22 @@ struct Rival {
     quantity: String,
     k: u64,
     asked: u32,
-    /// Way, digits, seconds: as they stand in the survey.
-    cells: [String; 3],
+    way: String,
+    /// Digits and seconds, as they stand in the file.
+    cells: [String; 2],
 }
 
-impl FromStr for Rivals {
-    type Err = SheetError;
-
-    /// The CSV file that `benches/rivals/run.py --figures` writes.
-    fn from_str(text: &str) -> Result<Rivals, SheetError> {
+impl Rivals {
+    /// Reads the CSV file that `benches/rivals/run.py --figures` writes.
+    ///
+    /// # Errors
+    /// [`SheetError`]: no columns of that name, cells that cannot be read, a tool without a name, the same figure twice.
+    pub fn read(name: &str, text: &str) -> Result<Rivals, SheetError> {
         let sheet: Sheet = text.parse()?;
         let words = |name| sheet.column(name, |cell| Some(cell.to_owned()));
-        let (tool, version, quantity) = (words("tool")?, words("version")?, words("quantity")?);
+        let named = |cell: &str| (!cell.trim().is_empty()).then(|| cell.to_owned());
+        let (tool, version) = (sheet.column("tool", named)?, words("version")?);
+        let quantity = words("quantity")?;
         let k = sheet.column("k", |cell| cell.parse().ok())?;
         let asked = sheet.column("digits asked", |cell| cell.parse().ok())?;
         let right = sheet.column("digits right", |cell| number(cell, 0.0))?;
@@ -40,16 +46,50 @@ impl FromStr for Rivals {
             quantity: quantity[i].clone(),
             k: k[i],
             asked: asked[i],
-            cells: [
-                name(&tool[i], &version[i]),
-                right[i].clone(),
-                seconds[i].clone(),
-            ],
+            way: way(&tool[i], &version[i]),
+            cells: [right[i].clone(), seconds[i].clone()],
         };
-        Ok(Rivals {
-            notes: sheet.notes().to_vec(),
-            rows: (0..tool.len()).map(row).collect(),
-        })
+        let rows: Vec<Rival> = (0..tool.len()).map(row).collect();
+        let mut seen = HashSet::new();
+        let of = |row: &Rival| (row.quantity.clone(), row.k, row.asked, row.way.clone());
+        match rows.iter().position(|row| !seen.insert(of(row))) {
+            Some(index) => Err(SheetError::Twice { row: index + 1 }),
+            None => Ok(Rivals {
+                name: name.to_owned(),
+                notes: sheet.notes().to_vec(),
+                rows,
+            }),
+        }
+    }
+
+    /// As it stands in the command; nothing without any.
+    pub(super) fn option(&self) -> String {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
+        match &*self.name {
+            "" => String::new(),
+            name if name.chars().all(is_plain) => format!(" --rivals {name}"),
+            _ => " --rivals FILE".to_owned(),
+        }
+    }
+
+    /// What a reader must know of them.
+    pub(super) fn note(&self) -> String {
+        let words = "Right: other programs, asked for the same digits; across, the digits that were right, at 1 if none was. The FLINTs prove them, the others do \
+             not. Their times";
+        format!("{words}: {}.", self.notes.join("; "))
+    }
+
+    /// The rows of a survey at one question.
+    pub(super) fn rows(&self, question: Question, quantity: &str) -> Vec<Vec<String>> {
+        let own = |rival: &&Rival| {
+            (&*rival.quantity, rival.k, rival.asked) == (quantity, question.k, question.digits)
+        };
+        let row = |rival: &Rival| {
+            let place = [rival.k.to_string(), rival.asked.to_string()];
+            let way = [rival.way.clone()];
+            [place.as_slice(), &way, &rival.cells].concat()
+        };
+        self.rows.iter().filter(own).map(row).collect()
     }
 }
 
@@ -60,40 +100,9 @@ fn number(cell: &str, least: f64) -> Option<String> {
 }
 
 /// A tool with its version, without what it stands on.
-fn name(tool: &str, version: &str) -> String {
+fn way(tool: &str, version: &str) -> String {
     let own = version.split(" + ").next().unwrap_or_default();
     let words = format!("{RIVAL}{tool} {own}");
     // A bar would end a cell in a table of Markdown, a bracket begin markup.
     words.trim().replace('|', "/").replace(['<', '>'], " ")
-}
-
-impl Rivals {
-    pub(super) fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
-
-    /// What a reader must know of them; nothing without any.
-    pub(super) fn notes(&self) -> Vec<String> {
-        if self.is_empty() {
-            return vec![];
-        }
-        let words = "Right: other programs, asked for the same digits; across, the digits that were right, at 1 if none was. The FLINTs prove them, the others do \
-             not. Their times";
-        vec![format!("{words}: {}.", self.notes.join("; "))]
-    }
-
-    /// The rows of a survey at one question.
-    pub(super) fn rows(
-        &self,
-        question: Question,
-        quantity: &str,
-    ) -> impl Iterator<Item = Vec<String>> {
-        let own = move |rival: &&Rival| {
-            (&*rival.quantity, rival.k, rival.asked) == (quantity, question.k, question.digits)
-        };
-        self.rows.iter().filter(own).map(|rival| {
-            let place = [rival.k.to_string(), rival.asked.to_string()];
-            place.into_iter().chain(rival.cells.clone()).collect()
-        })
-    }
 }

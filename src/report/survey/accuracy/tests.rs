@@ -51,8 +51,8 @@ fn the_choice_is_held_against_the_best_that_proves_the_digits() {
 #[test]
 fn figures_of_other_programs_are_read_with_care() {
     let file = |row: &str| {
-        format!("# here\ntool,version,quantity,k,digits asked,digits right,seconds\n{row}\n")
-            .parse::<Rivals>()
+        let head = "# here\ntool,version,quantity,k,digits asked,digits right,seconds";
+        Rivals::read("here.csv", &format!("\u{feff}{head}\n{row}\n"))
     };
     let question = Question {
         quantity: Quantity::Mean,
@@ -60,9 +60,12 @@ fn figures_of_other_programs_are_read_with_care() {
         digits: 15,
     };
     let good = file("a|b,2 + c,mean,4,15,14.5,2e-6").expect("a figure");
-    let rows: Vec<Vec<String>> = good.rows(question, "mean").collect();
+    let rows = good.rows(question, "mean");
     assert_eq!(rows, [["4", "15", "rival: a/b 2", "14.5", "2e-6"]]);
-    assert_eq!(good.rows(question, "variance").count(), 0);
+    assert!(good.rows(question, "variance").is_empty());
+    assert_eq!(good.option(), " --rivals here.csv");
+    let twice = file("a,2,mean,4,15,14.5,2e-6\na,2 + d,mean,4,15,14,2e-6");
+    assert_eq!(twice, Err(SheetError::Twice { row: 2 }));
     for bad in [
         "a,1,mean,4,15,nan,1",
         "a,1,mean,4,15,-1,1",
@@ -70,6 +73,7 @@ fn figures_of_other_programs_are_read_with_care() {
         "a,1,mean,4,15,1,inf",
         "a,1,mean,-4,15,1,1",
         "a,1,mean,4,1e1,1,1",
+        " ,1,mean,4,15,1,1",
     ] {
         assert!(
             matches!(file(bad), Err(SheetError::Cell { row: 1, .. })),
