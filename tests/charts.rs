@@ -197,9 +197,9 @@ fn a_killed_run_goes_on_and_comes_to_the_same_bytes() {
     }
     // Of another command, and of nobody's.
     let said = refused(&chart(&out, &["stability"]));
-    assert!(said.contains("by another command") && said.contains("name another folder"));
+    assert!(said.contains("no file of this command") && said.contains("name another folder"));
     write(&name("csv.part"), "# another\na,b\n1,2\n");
-    assert!(refused(&chart(&out, &quick)).contains("moments.csv.part was made by another"));
+    assert!(refused(&chart(&out, &quick)).contains("moments.csv.part is no file of this"));
     assert!(read(&name("csv")) == data);
 }
 

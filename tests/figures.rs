@@ -160,7 +160,7 @@ fn what_is_there_is_left() {
     let full = make(&out, &["--only", "3.3,3.2"]);
     assert_eq!(full.status.code(), Some(2));
     let said = String::from_utf8_lossy(&full.stderr);
-    assert!(said.contains("figure-3.2.csv was made by another command"));
+    assert!(said.contains("figure-3.2.csv is no file of this command"));
     assert!(full.stdout.is_empty());
 }
 

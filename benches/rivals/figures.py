@@ -1,4 +1,4 @@
-"""The rivals at single points as a CSV file: time against correct digits. README.md says what stands in it."""
+"""All tools at single points as a CSV file: time against correct digits. README.md says what stands in it."""
 
 import collections
 import csv
@@ -24,12 +24,13 @@ HEADER = ("tool", "version", "quantity", "k", "digits asked", "digits right", "s
 Tool = collections.namedtuple("Tool", "name program version most cap", defaults=(DIGITS[-1], 3))
 
 
-def tools(folder):
-    """The rivals that are there."""
+def tools(ours, folder):
+    """Our own side, which the others are measured by, and the rivals that are there."""
     doubles = {"most": 15, "cap": 2}
     gsl = build_doubles(folder, "GSL", "apt install libgsl-dev", ["-DGSL"], ["-lgsl", "-lgslcblas", "-lm"])
     boost = build_doubles(folder, "Boost", "apt install libboost-math-dev", [], [])
     found = (
+        ("claimcheck", ours, {}),
         ("C FLINT", build_flint(folder), {}),
         ("python-flint", package("python-flint", "packages.py", "python-flint", module="flint"), {}),
         ("mpmath", package("mpmath", "packages.py", "mpmath"), {}),
@@ -108,9 +109,9 @@ def processor():
     return (names or [platform.processor() or platform.machine()])[0]
 
 
-def write_figures(path, rounds):
+def write_figures(path, ours, rounds):
     with tempfile.TemporaryDirectory() as folder:
-        found = tools(pathlib.Path(folder))
+        found = tools(ours, pathlib.Path(folder))
         truth = truths(found)
         table = measure(found, rounds)
     with open(path, "w", newline="") as out:

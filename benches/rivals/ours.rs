@@ -1,13 +1,16 @@
 //! The program's own side of the comparison: the same jobs as `flint.c`, printed the same way.
 //!
-//!     ours points  K,K,...  D,D,...     point JOB K D SECONDS VALUE   (JOB: E, V, or B for both)
+//!     ours points  K,K,...  D,D,... [JOBS]     point JOB K D SECONDS VALUE BITS   (JOB: E, V, or B for both)
 //!     ours sweep   A B D                all photons A..B: sweep A B D COUNT
 //!     ours doubles A B                 the same as doubles: doubles LANES A B SECONDS COUNT, a line for each lanes
 //!     ours simulation M R              strategies 1 and 2, M shells of strategy 2, R runs on one core: simulation STRATEGY LANES
 //!                                      SECONDS PHOTONS, a line for each lanes
 //!
-//! Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
+//!     ours version
+//!
+//! BITS is the relative accuracy proved. Seconds are time by the clock of a call, best of several rounds; the sweep is timed from outside.
 
+use claimcheck::measure::accuracy::proved_digits;
 use claimcheck::model::Layout;
 use claimcheck::number::Interval;
 use claimcheck::number::Lanes;
@@ -23,46 +26,56 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
-        ["points", photons, digits] => points(photons, digits),
+        ["points", photons, digits] => points(photons, digits, "EVB"),
+        ["points", photons, digits, jobs] => points(photons, digits, jobs),
         ["sweep", first, last, digits] => whole_sweep(first, last, digits),
         ["doubles", first, last] => doubles(first, last),
         ["simulation", shells, runs] => simulation(shells, runs),
+        ["version"] => {
+            println!("{}", env!("CARGO_PKG_VERSION"));
+            Some(())
+        }
         _ => None,
     };
     if done.is_none() {
         eprintln!(
-            "usage: ours points K,K,... D,D,... | ours sweep A B D  | ours doubles A B | ours simulation M R"
+            "usage: ours points K,K,... D,D,... [JOBS] | ours sweep A B D | ours doubles A B | ours simulation M R | ours version"
         );
         return ExitCode::from(2);
     }
     ExitCode::SUCCESS
 }
 
-fn points(photons: &str, digits: &str) -> Option<()> {
+fn points(photons: &str, digits: &str, jobs: &str) -> Option<()> {
     for k in photons.split(',') {
         for d in digits.split(',') {
-            point(k.parse().ok()?, d.parse().ok()?)?;
+            for job in jobs.chars() {
+                point(job, k.parse().ok()?, d.parse().ok()?)?;
+            }
         }
     }
     Some(())
 }
 
-fn point(k: u64, digits: u32) -> Option<()> {
+fn point(job: char, k: u64, digits: u32) -> Option<()> {
     let shell = Layout::Triangular.shell(&k.into())?;
-    for (job, quantity) in [('E', Quantity::Mean), ('V', Quantity::Variance)] {
-        let call = || enclose(quantity, black_box(&shell), digits);
-        print_point(job, k, digits, best(call), &call().ok()?);
-    }
+    let one = |quantity| enclose(quantity, black_box(&shell), digits);
     let quantities = [Quantity::Mean, Quantity::Variance];
     let both = || enclose_all(quantities, black_box(&shell), digits);
-    let [_, variance] = both().ok()?;
-    print_point('B', k, digits, best(both), &variance);
-    Some(())
+    let (seconds, value) = match job {
+        'E' => (best(|| one(Quantity::Mean)), one(Quantity::Mean)),
+        'V' => (best(|| one(Quantity::Variance)), one(Quantity::Variance)),
+        'B' => (best(both), both().map(|[_, variance]| variance)),
+        _ => return None,
+    };
+    print_point(job, k, digits, seconds, &value.ok()?)
 }
 
-fn print_point(job: char, k: u64, digits: u32, seconds: f64, value: &Interval) {
+fn print_point(job: char, k: u64, digits: u32, seconds: f64, value: &Interval) -> Option<()> {
     let text = value.to_decimal(digits as usize);
-    println!("point {job} {k} {digits} {seconds:.6e} {text}");
+    let bits = (proved_digits(value)? * 10f64.log2()).floor();
+    println!("point {job} {k} {digits} {seconds:.6e} {text} {bits}");
+    Some(())
 }
 
 /// The least seconds a call took, over rounds of at least a millisecond.

@@ -1,9 +1,9 @@
 """Compares this program with C FLINT 3, mpmath, the thesis's own way and numpy, in one run, and prints ratios.
 
     python3 benches/rivals/run.py [--quick] [--rounds N] [--ours PROGRAM] [--sweeps | --simulation]
-    python3 benches/rivals/run.py --figures FILE [--rounds N]
+    python3 benches/rivals/run.py --figures FILE [--rounds N] [--ours PROGRAM]
 
-The second form needs no side of ours: it writes time and correct digits of the rivals at single points as a CSV file.
+The second form writes time and correct digits of all of them at single points as a CSV file.
 
 Standard library only. Each rival that is not there is skipped with a message that says how to get it; see
 README.md beside this file. The jobs are interleaved: in each round every tool runs each job once, one after
@@ -11,29 +11,18 @@ the other, and the least time of the rounds counts.
 """
 
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 from figures import write_figures
-from tools import HERE, build_flint, error, output_and_cost, package, points
+from tools import build_flint, build_ours, error, output_and_cost, package, points
 
-ROOT = HERE.parent.parent
 PHOTONS = (4, 10, 55, 100, 1000, 5050, 10**4, 10**5, 10**6, 10**8, 10**12)
 DOUBLES = ((4, 100000), (72 * 10**6, 73 * 10**6), (10**12, 10**12 + 10**6))
 # Shells of strategy 2, and runs.
 SIMULATION = (400, 1000)
 SWEEPS = ((4, 5050, 15), (4, 5050, 50), (4, 100000, 15), (4, 100000, 50), (4, 100000, 1000))
-
-
-def build_ours():
-    command = ["cargo", "build", "--release", "--example", "rivals", "--locked"]
-    if subprocess.run(command, cwd=ROOT).returncode:
-        sys.exit("our own side does not build")
-    target = os.environ.get("CARGO_TARGET_DIR", ROOT / "target")
-    return ROOT / target / "release" / "examples" / "rivals"
 
 
 def correct_digits(value, truth):
@@ -129,14 +118,14 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--sweeps", action="store_true", help="sweeps only")
     parser.add_argument("--simulation", action="store_true", help="simulation only")
-    parser.add_argument("--figures", type=pathlib.Path, metavar="FILE", help="time and digits of the rivals, as CSV")
+    parser.add_argument("--figures", type=pathlib.Path, metavar="FILE", help="time and digits at single points, as CSV")
     parser.add_argument("--ours", type=pathlib.Path, help="our own side, built already")
     options = parser.parse_args()
     rounds = 1 if options.quick else options.rounds
-    if options.figures:
-        write_figures(options.figures, rounds)
-        return
     ours = [str(options.ours or build_ours())]
+    if options.figures:
+        write_figures(options.figures, ours, rounds)
+        return
     if options.simulation:
         simulations(ours, rounds)
         return

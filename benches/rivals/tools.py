@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
 
 
 def say(*words):
@@ -43,6 +44,14 @@ def flint_flags():
         if found.returncode == 0:
             yield [], found.stdout.split()
     yield [], ["-lflint"]
+
+
+def build_ours():
+    command = ["cargo", "build", "--release", "--example", "rivals", "--locked"]
+    if subprocess.run(command, cwd=ROOT).returncode:
+        sys.exit("our own side does not build")
+    target = os.environ.get("CARGO_TARGET_DIR", ROOT / "target")
+    return ROOT / target / "release" / "examples" / "rivals"
 
 
 def build_flint(folder):

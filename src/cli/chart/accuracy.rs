@@ -49,7 +49,19 @@ impl Accuracy {
             out: self.out,
             quiet: self.quiet,
         };
-        desk.run(&accuracy(Pace::of(self.quick), &rivals, counter))
+        let surveys = accuracy(Pace::of(self.quick), &rivals, counter);
+        if let Some(path) = &self.rivals
+            && surveys.all.iter().all(|survey| survey.beside().is_empty())
+        {
+            let message = format!(
+                "{}: no figure is of a question of this chart",
+                path.display()
+            );
+            let hint =
+                "the quantity is mean or variance, k and the digits asked are those of the chart";
+            return Err(Failure::input(&message, Some(hint)));
+        }
+        desk.run(&surveys)
     }
 }
 
@@ -57,7 +69,7 @@ fn read(path: &Path) -> Result<Rivals, Failure> {
     let failed = |error: &dyn std::fmt::Display, hint| {
         Failure::input(&format!("{}: {error}", path.display()), Some(hint))
     };
-    let text = text_of(path).and_then(|text| text.ok_or(io::ErrorKind::NotFound.into()));
+    let text = text_of(path).and_then(|text| text.ok_or_else(|| io::Error::other("no such file")));
     let text = text.map_err(|error| failed(&error, "name a CSV file"))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     Rivals::read(&name, &text).map_err(|error| {

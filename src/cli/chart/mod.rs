@@ -85,10 +85,10 @@ fn found(path: &Path) -> Result<Option<String>, Failure> {
     })
 }
 
-/// A file that another command made.
+/// A file that another command made, or that does not tell.
 fn not_ours(path: &Path) -> Failure {
     let path = path.display();
-    let message = format!("{path} was made by another command, version or machine");
+    let message = format!("{path} is no file of this command, version and machine");
     Failure::input(&message, Some(ELSEWHERE))
 }
 

@@ -9,7 +9,7 @@ use super::{found, make_folder, not_ours};
 use crate::report::survey::{Sheet, Survey, Surveys};
 use rayon::prelude::*;
 use std::fmt::Display;
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -30,9 +30,12 @@ impl Desk {
         for (survey, (sheet, done)) in all.zip(begun) {
             let sheet = self.measured(survey, sheet, done)?;
             let sheet = surveys.complete(survey, sheet).map_err(faulty)?;
-            replace_file(&self.data(survey), &sheet.to_string())?;
+            let data = self.data(survey);
+            replace_file(&data, &sheet.to_string())?;
+            // Left behind, it would be found finished by a later run, and no harm done.
+            let _ = fs::remove_file(part(&data));
             for (name, chart) in surveys.pictures(survey, &sheet).map_err(faulty)? {
-                replace_file(&self.out.join(format!("{name}.svg")), &chart.to_svg())?;
+                self.draw(&format!("{name}.svg"), &chart.to_svg())?;
             }
             sheets.push(sheet);
             let said = match done == survey.units() {
@@ -43,9 +46,18 @@ impl Desk {
         }
         let page = format!("{}.md", surveys.group);
         let words = surveys.page(&sheets).map_err(faulty)?;
-        replace_file(&self.out.join(&page), &words)?;
+        self.draw(&page, &words)?;
         to_stdout(&format!("{page}: made\n"))?;
         Ok(Exit::AsExpected)
+    }
+
+    /// Writes what is drawn from the data: in the place of what such a command drew, and of nothing else.
+    fn draw(&self, name: &str, text: &str) -> Result<(), Failure> {
+        let path = self.out.join(name);
+        match found(&path)? {
+            Some(old) if !old.contains("claimcheck chart ") => Err(not_ours(&path)),
+            _ => replace_file(&path, text),
+        }
     }
 
     fn data(&self, survey: &dyn Survey) -> PathBuf {
@@ -106,7 +118,7 @@ impl Desk {
     }
 }
 
-/// Of the name that [`replace_file`] writes to before it has all: what is cut is found there, too.
+/// Where a survey's rows are until it is finished.
 fn part(path: &Path) -> PathBuf {
     path.with_added_extension("part")
 }

@@ -349,7 +349,9 @@ impl FromStr for Cell {
                 let whole: u8 = whole.parse().map_err(|_| NoCell)?;
                 let tenth: u8 = tenth.parse().map_err(|_| NoCell)?;
                 let tenths = whole.checked_mul(10).and_then(|w| w.checked_add(tenth));
-                Cell::Lost(tenths.filter(|_| tenth < 10).ok_or(NoCell)?)
+                let cell = tenths.map(Cell::Lost).ok_or(NoCell)?;
+                // As it is written, not 1.10 or +1.1.
+                (cell.to_string() == text).then_some(cell).ok_or(NoCell)?
             }
         })
     }

@@ -115,7 +115,7 @@ fn cells_are_read_as_they_are_written() {
     for cell in tenths.chain(others) {
         assert_eq!(cell.to_string().parse(), Ok(cell));
     }
-    for text in ["", "3", "1.23", "26.0", "x.1", "-1.0"] {
+    for text in ["", "3", "1.23", "26.0", "x.1", "-1.0", "+1.0", "01.0"] {
         assert_eq!(text.parse::<Cell>(), Err(NoCell), "{text}");
     }
 }

@@ -61,7 +61,10 @@ pub(super) fn escaped(words: &str) -> String {
             '<' => text.push_str("&lt;"),
             '>' => text.push_str("&gt;"),
             '"' => text.push_str("&quot;"),
-            letter if letter.is_control() => text.push(' '),
+            // No letters of XML 1.0.
+            letter if letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}') => {
+                text.push(' ');
+            }
             letter => text.push(letter),
         }
     }

@@ -188,8 +188,8 @@ impl Survey for Choice {
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let mut text = "Where one method takes over from another; no cell has a right or a wrong here, only a cheaper one. Pfaff's series in machine words serves most \
-             photons up to some thousand digits, the same series by binary splitting what lies beyond; where shells hold few photons and many digits are asked for the \
-             closed form is cheapest, since only its logarithm grows with the digits.\n\n\
+             photons up to some thousand digits, the same series by binary splitting what lies beyond; where shells hold few photons the closed form is cheapest for many digits, \
+             since only its logarithm grows with them, and for few ones, too, where the shell is thick and the series long.\n\n\
              | panel | methods, % of cells |\n|---|---|\n"
             .to_owned();
         for (title, _) in PANELS {

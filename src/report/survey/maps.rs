@@ -191,7 +191,8 @@ impl Failures {
             (Plane::Arguments, true) => {
                 "From left to right the shell grows thick: at the left z is near 0, at the right V is much larger than Va. From bottom to top it holds more photons. The power \
                  series has its border at z = -1, but for many photons its first terms fall so fast that it ends before they grow. Pfaff's series converges everywhere, \
-                 more and more slowly to the right. The terms of the moments grow where the shell is thick and holds few photons. The closed form is good for few photons, and \
+                 more and more slowly to the right. The terms of the moments grow where the shell is thick and holds few photons, less so \
+                 where m is odd and the photon in the very middle, so that every second term vanishes: hence the stripes. The closed form is good for few photons, and \
                  where the shell is thick. Euler's integral is good everywhere, by a rule that follows the peak of its integrand."
             }
             (Plane::Arguments, false) => {
@@ -219,7 +220,7 @@ impl Survey for Failures {
         format!("Digits that {what} in doubles, {plane}")
     }
 
-    fn notes(&self, _: &Sheet) -> Result<Vec<String>, SheetError> {
+    fn notes(&self, sheet: &Sheet) -> Result<Vec<String>, SheetError> {
         let scenes = FINE * FINE;
         let plane = match self.map.plane {
             Plane::Photons => "Photon k is the l-th of the m in its shell, V = m, Va = m(m-1)/2.",
@@ -227,9 +228,17 @@ impl Survey for Failures {
                 "One shell with V = m around Va = -m/z, l = m/2 rounded up (so odd and even m differ); dotted line: the shells of strategy 2."
             }
         };
+        let mut steps = String::new();
+        for &panel in &self.map.panels {
+            if self.cells(sheet, panel)?.contains(&Cell::Cost) {
+                steps = format!(
+                    " Over {MOST_STEPS} steps is our limit: the formula may be right, but slow."
+                );
+            }
+        }
         Ok(vec![format!(
             "Each formula is computed in IEEE doubles. A cell is the worst of {scenes} inputs (Va, V, l, m); digits are lost against the correctly rounded double, which has \
-             15.95, and the truth is an enclosure. {plane} Over {MOST_STEPS} steps is our limit: the formula may be right, but slow."
+             15.95, and the truth is an enclosure. {plane}{steps}"
         )])
     }
 
@@ -287,7 +296,7 @@ impl Survey for Failures {
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let mut text = format!(
-            "{}\n\nPale is good. A black cell holds a number without one right digit, given without a warning.\n\n\
+            "{}\n\nThe lighter, the better. A black cell holds a number without one right digit, given without a warning; where there are lines or dots there is no number.\n\n\
              | formula in doubles | digits lost where one is right: median, most | wrong, % of cells | overflow | diverges | steps | refused |\n\
              |---|---|---|---|---|---|---|\n",
             self.lesson()

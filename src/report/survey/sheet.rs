@@ -25,7 +25,7 @@ pub enum SheetError {
         columns: usize,
     },
     /// A row that says what another one says.
-    #[error("row {row} is of the same as one before")]
+    #[error("row {row} has the same tool, quantity, k and digits as one before")]
     Twice { row: usize },
     /// A column that is not there.
     #[error("no column `{0}`")]
@@ -185,8 +185,8 @@ impl FromStr for Sheet {
 fn read(text: &str) -> Result<Sheet, SheetError> {
     // Some programs begin a file with a mark of its encoding.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (notes, rows): (Vec<&str>, Vec<&str>) =
-        text.lines().partition(|line| line.starts_with('#'));
+    let lines = text.lines().filter(|line| !line.trim().is_empty());
+    let (notes, rows): (Vec<&str>, Vec<&str>) = lines.partition(|line| line.starts_with('#'));
     let notes = notes.iter().map(|line| line[1..].trim().to_owned());
     let mut rows = rows
         .iter()

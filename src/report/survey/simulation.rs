@@ -167,7 +167,8 @@ impl Survey for Runs {
     }
 
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
-        let mut text = "A digit more costs a hundred times the photons. The variance has about the same digits for every photon; those of E - 1 get fewer as k grows, \
+        let mut text = "A digit more costs a hundred times the photons. Only the photon itself is drawn here; who draws all up to it, as a simulation of the scene does, draws \
+             k times as many. The variance has about the same digits for every photon; those of E - 1 get fewer as k grows, \
              since in the middle of a shell the bias falls faster than the spread.\n\n\
              | photon | photons drawn at most | digits of E - 1 | by theory | digits of Var |\n|---|---|---|---|---|\n"
             .to_owned();

@@ -124,6 +124,15 @@ pub fn count_calls(question: Question, most: f64) {
     }
 }
 
+/// A number of one digit and zeros: 3 * 10^8.
+fn power(number: f64) -> String {
+    let exponent = number.log10().floor();
+    match number / 10f64.powf(exponent) {
+        1.0 => format!("10^{exponent}"),
+        digit => format!("{digit:.0} * 10^{exponent}"),
+    }
+}
+
 /// Whole numbers as a sentence has them: 15, 30 and 50.
 fn listed(numbers: &[u32]) -> String {
     let texts: Vec<String> = numbers.iter().map(u32::to_string).collect();
@@ -170,15 +179,15 @@ impl Costs {
     /// The interval and the digits that it proves, or why there is none.
     fn answered(&self, call: &Call) -> Answer {
         match call.estimate() {
-            cost if cost.is_infinite() => return Err("outside its domain"),
-            cost if cost > self.effort.most => return Err("too long"),
+            cost if cost.is_infinite() => return Err(OUTSIDE),
+            cost if cost > self.effort.most => return Err(TOO_LONG),
             _ => {}
         }
         let value = call.answer().map_err(|error| match error {
-            ShellError::Lost => "no digits",
-            _ => "outside its domain",
+            ShellError::Lost => NO_DIGITS,
+            _ => OUTSIDE,
         })?;
-        let digits = proved_digits(&value).ok_or("no digits")?;
+        let digits = proved_digits(&value).ok_or(NO_DIGITS)?;
         Ok((value, digits))
     }
 
@@ -208,6 +217,11 @@ impl Costs {
     }
 }
 
+/// Why there is no answer.
+const OUTSIDE: &str = "outside its limits";
+const TOO_LONG: &str = "too long";
+const NO_DIGITS: &str = "no digits";
+
 type Answer = Result<(Interval, f64), &'static str>;
 
 impl Survey for Costs {
@@ -227,17 +241,25 @@ impl Survey for Costs {
     fn notes(&self, sheet: &Sheet) -> Result<Vec<String>, SheetError> {
         let points = Points::read(sheet)?;
         let counted = match points.are_counted() {
-            true => "instructions are counted by callgrind",
-            false => "instructions were not counted, for want of valgrind",
+            true => format!(
+                "instructions are counted by callgrind, where no more than {} are expected",
+                power(self.effort.most_counted)
+            ),
+            false => "instructions were not counted, for want of valgrind".to_owned(),
+        };
+        let rivals = !points.rivals().is_empty();
+        let each = match rivals {
+            true => "Left: each",
+            false => "Each",
         };
         let rounds = self.effort.rounds;
         let mut notes = vec![format!(
-            "Photon k of strategy 2. Left: each mark is one certified method asked for {} digits; across, the digits that its interval proves. \
+            "Photon k of strategy 2. {each} mark is one certified method asked for {} digits; across, the digits that its interval proves. \
              Pareto front: the least cost of so many digits or more by any of these methods. Rings: the method that the program chooses by itself. One call on one core, \
              best of {rounds} rounds; {counted}.",
             listed(self.effort.digits)
         )];
-        if !points.rivals().is_empty() {
+        if rivals {
             notes.push(self.rivals.note());
         }
         Ok(notes)
@@ -308,7 +330,10 @@ impl Survey for Costs {
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let points = Points::read(sheet)?;
         let mut text = "What the choice costs more than the fastest method in hindsight that proves the digits asked for is the price of choosing beforehand, by \
-             estimates alone. The certified doubles, which give the digits that they have, are not among the methods it chooses from.\n\n"
+             estimates alone. Where both are the same method the ratio of times is the cost of choosing and the noise of the clock; instructions have no noise. \
+             All methods compute in intervals with as many bits as the digits want: so even the thesis's formula proves digits here, which has none in \
+             doubles for large k. The certified \
+             doubles, which give the digits that they have, are not among the methods it chooses from; in the smallest shells they are rounded intervals, and slow.\n\n"
             .to_owned();
         text += &points.against_hindsight();
         text += &points.against_rivals();
@@ -323,7 +348,11 @@ impl Costs {
         let cells = |name: &str| sheet.column(name, |cell| Some(cell.to_owned()));
         let (k, asked, way) = (cells("k")?, cells("digits asked")?, cells("way")?);
         let (digits, remark) = (cells("digits")?, cells("remark")?);
-        let mut text = "\nNot in the pictures, from so many digits on:\n\n".to_owned();
+        let mut text = format!(
+            "\nNot in the pictures, from so many digits on (too long: over {} instructions by estimate, our limit; outside its limits: of its domain, \
+             or of the terms and nodes that the method allows itself):\n\n",
+            power(self.effort.most)
+        );
         for photon in self.effort.photons {
             let missing = |i: &usize| k[*i] == photon.to_string() && digits[*i].is_empty();
             let mut first: Vec<usize> = vec![];

@@ -2,7 +2,8 @@
 
 use super::super::super::chart::{Axis, Marks, Panel, Scale, Series};
 use super::super::{Sheet, SheetError, median, method_words, raised};
-use super::rivals::RIVAL;
+use super::rivals::{OURS, RIVAL};
+use super::{NO_DIGITS, OUTSIDE, TOO_LONG};
 use crate::measure::accuracy::Way;
 use std::fmt::Write;
 
@@ -34,9 +35,9 @@ impl Points {
         let asked = sheet.column("digits asked", |cell| cell.parse().ok())?;
         let way = sheet.column("way", |cell| Some(cell.to_owned()))?;
         let digits = sheet.some_numbers("digits")?;
-        let seconds = sheet.some_numbers("seconds")?;
-        let instructions = sheet.some_numbers("instructions")?;
-        let remark = sheet.column("remark", |cell| Some(cell.to_owned()))?;
+        let seconds = sheet.column("seconds", positive)?;
+        let instructions = sheet.column("instructions", positive)?;
+        let remark = sheet.column("remark", remark)?;
         let point = |i: usize| {
             Some(Point {
                 k: k[i],
@@ -124,24 +125,42 @@ impl Points {
         if rivals.is_empty() {
             return String::new();
         }
+        let what = match self.ours() {
+            Some(_) => {
+                "how many times as long as the choice they take in the same run, and in brackets how many digits are right"
+            }
+            None => {
+                "what they take, and in brackets how many digits are right (no ratios: claimcheck was not in that run)"
+            }
+        };
         let mut text = format!(
-            "\nOther programs: how many times as long as the choice they take, and how many digits are right.\n\n| k | digits asked | {} |\n|---|---|{}\n",
+            "\nOther programs: {what}.\n\n| k | digits asked | {} |\n|---|---|{}\n",
             rivals.join(" | "),
             "---|".repeat(rivals.len())
         );
         for (k, asked) in self.questions() {
-            let choice = self.of(k, asked, &Way::Choice.to_string());
-            let seconds = choice.map_or(f64::NAN, |point| point.seconds);
+            let ours = self.ours().and_then(|way| self.of(k, asked, way));
             let cells = rivals.iter().map(|name| {
                 let found = self.of(k, asked, &format!("{RIVAL}{name}"));
                 found.map_or(String::new(), |point| {
-                    format!("{} ({})", multiple(point.seconds / seconds), point.digits)
+                    let taken = match ours {
+                        Some(ours) => multiple(point.seconds / ours.seconds),
+                        None => time(point.seconds),
+                    };
+                    format!("{taken} ({})", point.digits)
                 })
             });
             let cells: Vec<String> = cells.collect();
             let _ = writeln!(text, "| {} | {asked} | {} |", short(k), cells.join(" | "));
         }
         text
+    }
+
+    /// Whether there is a mark of this way for any photon.
+    fn has(&self, way: Way, measure: Measure) -> bool {
+        let name = way.to_string();
+        let mut own = self.all.iter().filter(|point| point.way == name);
+        own.any(|point| point.cost(measure).is_some())
     }
 
     /// Whether instructions were counted.
@@ -154,7 +173,7 @@ impl Points {
         let mut all = vec![series(FRONT, 0, Marks::Front(self.front(k, measure)))];
         for (look, way) in Way::all().enumerate() {
             // In every panel, so that all have the same order.
-            if way != Way::Choice {
+            if way != Way::Choice && self.has(way, measure) {
                 let points = self.curve(k, &way.to_string(), measure);
                 all.push(series(way_words(way), look, Marks::Chain(points)));
             }
@@ -168,9 +187,10 @@ impl Points {
         )
     }
 
-    /// Other programs, and what is chosen here.
+    /// Other programs, and what is chosen here in the same run.
     pub(super) fn others(&self, k: u64) -> Panel {
-        let choice = self.curve(k, &Way::Choice.to_string(), Measure::Seconds);
+        let ours = self.ours().unwrap_or_default();
+        let choice = self.curve(k, ours, Measure::Seconds);
         let mut all = vec![series(CHOICE, 0, Marks::Rings(choice))];
         for (index, name) in self.rivals().into_iter().enumerate() {
             let points = self.curve(k, &format!("{RIVAL}{name}"), Measure::Seconds);
@@ -183,12 +203,16 @@ impl Points {
         )
     }
 
+    /// This program among the rivals.
+    fn ours(&self) -> Option<&str> {
+        let mut ways = self.all.iter().map(|point| &*point.way);
+        ways.find(|way| way.starts_with(OURS))
+    }
+
     /// The names of the rivals.
     pub(super) fn rivals(&self) -> Vec<String> {
-        let names = self
-            .all
-            .iter()
-            .filter_map(|point| point.way.strip_prefix(RIVAL));
+        let others = self.all.iter().filter(|p| !p.way.starts_with(OURS));
+        let names = others.filter_map(|point| point.way.strip_prefix(RIVAL));
         let mut unlike: Vec<String> = vec![];
         for name in names {
             if unlike.iter().all(|other| other != name) {
@@ -226,6 +250,23 @@ impl Points {
         }
         front.reverse();
         front
+    }
+}
+
+/// What the choice takes, or why there is no answer.
+fn remark(cell: &str) -> Option<String> {
+    let known = ["", OUTSIDE, TOO_LONG, NO_DIGITS].contains(&cell) || cell.parse::<Way>().is_ok();
+    known.then(|| cell.to_owned())
+}
+
+/// A positive number, or none.
+fn positive(cell: &str) -> Option<Option<f64>> {
+    match cell {
+        "" => Some(None),
+        cell => {
+            let number = cell.parse().ok();
+            number.filter(|x: &f64| x.is_finite() && *x > 0.0).map(Some)
+        }
     }
 }
 

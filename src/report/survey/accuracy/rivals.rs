@@ -3,9 +3,13 @@
 use super::super::{Sheet, SheetError};
 use crate::measure::accuracy::Question;
 use std::collections::HashSet;
+use std::ops::RangeInclusive;
 
 /// Ways of other programs begin so: those of this one have names for themselves.
 pub(super) const RIVAL: &str = "rival: ";
+
+/// This program in the same run as the others, which they are measured by.
+pub(super) const OURS: &str = "rival: claimcheck ";
 
 /// Figures of other programs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -40,8 +44,8 @@ impl Rivals {
         let quantity = words("quantity")?;
         let k = sheet.column("k", |cell| cell.parse().ok())?;
         let asked = sheet.column("digits asked", |cell| cell.parse().ok())?;
-        let right = sheet.column("digits right", |cell| number(cell, 0.0))?;
-        let seconds = sheet.column("seconds", |cell| number(cell, f64::MIN_POSITIVE))?;
+        let right = sheet.column("digits right", |cell| number(cell, 0.0..=1e9))?;
+        let seconds = sheet.column("seconds", |cell| number(cell, 1e-12..=1e9))?;
         let row = |i: usize| Rival {
             quantity: quantity[i].clone(),
             k: k[i],
@@ -74,8 +78,8 @@ impl Rivals {
 
     /// What a reader must know of them.
     pub(super) fn note(&self) -> String {
-        let words = "Right: other programs, asked for the same digits; across, the digits that were right, at 1 if none was. The FLINTs prove them, the others do \
-             not. Their times";
+        let words = "Right: other programs, asked for the same digits; across, the digits that were right, at 1 if none was. claimcheck and the FLINTs prove them, \
+             the others do not. All of them in one run";
         format!("{words}: {}.", self.notes.join("; "))
     }
 
@@ -93,10 +97,10 @@ impl Rivals {
     }
 }
 
-/// A finite number not below the least, as it is written.
-fn number(cell: &str, least: f64) -> Option<String> {
+/// A number of a range, as it is written.
+fn number(cell: &str, range: RangeInclusive<f64>) -> Option<String> {
     let value: f64 = cell.parse().ok()?;
-    (value.is_finite() && value >= least).then(|| cell.to_owned())
+    range.contains(&value).then(|| cell.to_owned())
 }
 
 /// A tool with its version, without what it stands on.

@@ -42,10 +42,25 @@ fn the_choice_is_held_against_the_best_that_proves_the_digits() {
         "100,15,choice,19,3e-6,30,words\n100,15,words,19,2e-6,20,\n100,15,direct,14.9,1e-6,10,\n100,15,rival: other 1,16,6e-6,,\n",
     ));
     let points = points.expect("its columns");
+    assert!(
+        points
+            .against_rivals()
+            .contains("| 100 | 15 | 6.00 \u{b5}s (16) |")
+    );
+    // Ratios are of one run.
+    let both = Points::read(&sheet(
+        "100,15,choice,19,3e-6,30,words\n100,15,rival: claimcheck 1,16,2e-6,,\n100,15,rival: other 1,16,6e-6,,\n",
+    ));
+    let both = both.expect("its columns");
+    assert_eq!(both.rivals(), ["other 1"]);
+    assert!(both.against_rivals().contains("| 100 | 15 | 3.0 (16) |"));
+    let Marks::Rings(rings) = &both.others(100).series[0].marks else {
+        panic!("the choice")
+    };
+    assert_eq!(rings, &[[16.0, 2e-6]]);
     let table = points.against_hindsight();
     let row = "| 100 | 15 | Pfaff, machine words | 3.00 \u{b5}s | Pfaff, machine words | 2.00 \u{b5}s | 1.50 | 1.50 |";
     assert!(table.contains(row), "{table}");
-    assert!(points.against_rivals().contains("| 100 | 15 | 2.0 (16) |"));
 }
 
 #[test]
@@ -71,6 +86,7 @@ fn figures_of_other_programs_are_read_with_care() {
         "a,1,mean,4,15,-1,1",
         "a,1,mean,4,15,1,0",
         "a,1,mean,4,15,1,inf",
+        "a,1,mean,4,15,1,1e300",
         "a,1,mean,-4,15,1,1",
         "a,1,mean,4,1e1,1,1",
         " ,1,mean,4,15,1,1",
