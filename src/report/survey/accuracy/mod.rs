@@ -330,7 +330,7 @@ impl Survey for Costs {
     fn words(&self, sheet: &Sheet) -> Result<String, SheetError> {
         let points = Points::read(sheet)?;
         let mut text = "What the choice costs more than the fastest method in hindsight that proves the digits asked for is the price of choosing beforehand, by \
-             estimates alone. Where both are the same method the ratio of times is the cost of choosing and the noise of the clock; instructions have no noise. \
+             estimates alone. Where both are the same method the ratio is the cost of choosing and, of times, the noise of the clock; instructions do not depend on the load. \
              All methods compute in intervals with as many bits as the digits want: so even the thesis's formula proves digits here, which has none in \
              doubles for large k. The certified \
              doubles, which give the digits that they have, are not among the methods it chooses from; in the smallest shells they are rounded intervals, and slow.\n\n"
