@@ -79,14 +79,7 @@ pub(super) fn write_file(path: &std::path::Path, text: &str) -> Result<(), Failu
 /// Writes a file whole: a new one takes the place of the old one, so that nobody finds half of it.
 #[cfg(feature = "engine")]
 pub(super) fn replace_file(path: &std::path::Path, text: &str) -> Result<(), Failure> {
-    let new = path.with_added_extension("new");
-    // What a killed run left, or a link: nothing is written through it.
-    let _ = std::fs::remove_file(&new);
-    let written = std::fs::File::create_new(&new)
-        .and_then(|mut file| file.write_all(text.as_bytes()))
-        .and_then(|()| std::fs::rename(&new, path));
-    written.map_err(|error| {
-        let _ = std::fs::remove_file(&new);
+    corpus::file::replace(path, text).map_err(|error| {
         Failure::input(
             &format!("{} cannot be written: {error}", path.display()),
             Some("name a place that can be written to"),
